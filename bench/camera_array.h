@@ -39,8 +39,7 @@ public:
     explicit GatheredFrame(const Frame& like); ///< has the geometry of `like`, which has metadata
     void add(const Image& picture, const EyePosition& eye);
     Frame frame() const;    ///< a pixel that no ray reached is black
-    double missing() const; ///< of the pixels that are not black in `like`, the fraction that no
-                            ///< ray reached
+    double missing() const; ///< fraction of the pixels not black in `like` that no ray reached
     double rays_a_pixel() const; ///< mean over the pixels that a ray reached
 
 private:

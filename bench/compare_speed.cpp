@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Measures how long a comparison of two pictures of 3840 x 2160 pixels takes: plain, with LDR-FLIP
 // (8 bits a sample), and with HDR-FLIP (floats). Uses all cores; prints the least of five
-// alternating runs, and each time divided by the plain one's of that sample type.
+// alternating runs, and each time divided by the plain comparison's for that sample type.
 #include "integral/compare/comparison_rules.h"
 
 #include <chrono>

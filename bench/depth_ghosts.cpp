@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// depth_ghosts FRAME DEPTHS.exr PLOT.png: what method A of integral depth (thesis 5.4.3) sees, as
-// the thesis's figure 5-8 draws it. In the frame's middle row of pixels, all places where rays of
-// pixels behind different lenses meet that have nearly the same colour, and the surfaces that are
-// there in truth. The plot is a section through the scene, seen from above.
+// depth_ghosts FRAME DEPTHS.exr PLOT.png: plots the matches of method A of integral depth (thesis
+// 5.4.3), like the thesis's figure 5-8. For the frame's middle row of pixels, it draws places where
+// rays of nearly equal colour through different lenses meet, and the true surfaces. The plot is a
+// section through the scene, seen from above.
 #include "bench/program.h"
 #include "integral/depth/ray_trace.h"
 #include "integral/io/image_file.h"
@@ -19,7 +19,7 @@ namespace {
 using namespace integral;
 
 constexpr double depth_shown = 70; // mm from the sheet, to both sides
-constexpr std::size_t dots = 3000; // of all meetings, a random part
+constexpr std::size_t dots = 3000; // number of meetings drawn, chosen at random
 
 struct PixelRay {
     double x, slope, depth; ///< mm at the sheet, mm a mm of depth, depth of the surface met
@@ -48,7 +48,7 @@ std::vector<PixelRay> rays_of_row(const Frame& frame, const DepthFrame& depths, 
     return rays;
 }
 
-/// Where rays of like colours meet: mm across, and mm behind the sheet.
+/// Meeting points of rays of similar colours: mm across, and mm behind the sheet.
 std::vector<Vec2> meetings_of(const std::vector<PixelRay>& rays)
 {
     std::vector<Vec2> meetings;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// depth_limit FRAME DEPTHS.exr: the depth at which the error of method B passes the sampling limit
-// of the thesis's equation (4-2), computed and measured; prints four cells of a table, in mm: the
-// limit in front of the sheet and where error passes it, and the same behind.
+// depth_limit FRAME DEPTHS.exr: computes the sampling limit of the thesis's equation (4-2), and
+// measures the depth at which the error of method B passes it. Prints four cells of a table, in mm:
+// the limit in front of the sheet and where the error passes it, and the same behind.
 //
 // (4-2): at a depth z a film pixel is pixel / focal length * z wide. Where that is more than the
-// pitch of the lenses, neighbouring views differ by more than a pixel, and between the samples
-// there is nothing that would tell which belong together. The limit is where they differ by just
-// one, which is a disparity of 1. The error has passed it from the depth on, outwards from the
-// sheet, at which more than half of the pixels are bad (0.07) in two following steps of 0.1 of
-// disparity; where there is texture, away from edges, and of steps with 30 pixels or more.
+// pitch of the lenses, neighbouring views differ by more than a pixel, and nothing between the
+// samples indicates which belong together. The limit is a difference of one pixel, which is a
+// disparity of 1. The error passes it at the depth, outwards from the sheet, at which more than
+// half of the pixels are bad (0.07) in two consecutive steps of 0.1 of disparity. Only pixels with
+// texture and away from edges count, and steps with 30 of them or more.
 #include "integral/depth/depth_input.h"
 #include "integral/depth/depth_quality.h"
 #include "integral/depth/depth_scores.h"
@@ -31,8 +31,8 @@ struct Step {
 constexpr int steps = 40;
 constexpr double width = 0.1; // disparity
 
-/// The disparity at which the error passes the limit, on one side (1: in front, -1: behind); or
-/// the last that the scene has, and `beyond`.
+/// Returns the disparity at which the error passes the limit, on one side (1: in front, -1:
+/// behind); if it does not, the scene's last disparity, and sets `beyond` to true.
 double passed_at(const ViewSet& views, const DepthMap& map, const std::vector<float>& truth,
                  int side, bool& beyond)
 {

@@ -2,10 +2,10 @@
 // depth_matcher LEFT MIDDLE STEPS LEAST GREATEST TRUTH.pfm BORDER: scores OpenCV's semi-global
 // matcher (Hirschmueller 2008; modes of cv::StereoSGBM) on two views of a row, as integral depth
 // scores its own maps. LEFT stands STEPS eyes to the left of MIDDLE, whose depth is measured.
-// LEAST and GREATEST: disparities of neighbouring eyes to search. Pixels without a match take the
-// lesser disparity of those on both sides in their row, as usual. Prints the per cent of bad
-// pixels (all, near edges, with texture), 100 times the mean squared error, the bumpiness of planes
-// and the seconds.
+// LEAST and GREATEST: range of disparities between neighbouring eyes to search. Pixels without a
+// match take the smaller of the disparities on both sides in their row. Prints the percentage of
+// bad pixels (all, near edges, with texture), 100 times the mean squared error, the bumpiness of
+// planes and the seconds.
 #include "integral/depth/depth_scores.h"
 #include "integral/io/image_file.h"
 #include "integral/io/pfm_file.h"
@@ -85,7 +85,7 @@ int main(int count, char** words)
                                            std::atof(words[5]));
     fill_rows(disparity, middle.cols);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    // The scores need the colours of the middle view, and that views differ across and down.
+    // The scores need the colours of the middle view, and a set with views across and down.
     const Image view = read_frame(words[2]).image;
     const ViewSet set = view_set(std::vector<Image>(9, view), {3, 3}, std::nullopt);
     const DepthScores s = depth_scores(set, disparity, read_pfm(words[6]).values,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// depth_truth PICTURE NEAREST FARTHEST DISTANCE RATIO OUT.pfm: the disparities of a picture that
-// shows depth as linear light, from black at NEAREST to white at FARTHEST (mm behind the plane
+// depth_truth PICTURE NEAREST FARTHEST DISTANCE RATIO OUT.pfm: writes the disparities of a picture
+// that shows depth as linear light, from black at NEAREST to white at FARTHEST (mm behind the plane
 // without parallax), for eyes DISTANCE mm from that plane and RATIO pixels of it apart.
 #include "integral/depth/view_set.h"
 #include "integral/io/image_file.h"

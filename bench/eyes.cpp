@@ -59,7 +59,7 @@ constexpr int antialiased = 1;
 // The zone's lowest eyes are at -28 mm. An eye below a scene's floor would see only its underside.
 const std::string floor_below_all_eyes = "Declare=Floor=-40";
 
-/// What is rendered.
+/// Scope of a run: its scenes, frames, eyes and cameras.
 struct Plan {
     std::vector<std::string> scenes;
     int width, height;           ///< pixels of the frames
@@ -218,7 +218,7 @@ std::string text(const char* format, double value)
     return buffer;
 }
 
-/// Every view from every eye.
+/// Returns the figures of every view from every eye as CSV.
 std::string csv(const std::vector<Panel>& panels)
 {
     std::string out = "scene,sheet,row,column,x_mm,y_mm,frame,psnr_db,ssim\n";
@@ -234,7 +234,7 @@ std::string csv(const std::vector<Panel>& panels)
     return out;
 }
 
-/// The least, mean and greatest figures of each frame, as a Markdown table.
+/// Returns the least, mean and greatest figures of each frame as a Markdown table.
 std::string table(const std::vector<Panel>& panels)
 {
     std::string out =

@@ -3,7 +3,7 @@
 // views in 4096 x 4096 pixels, with 8 and 16 bits a sample, by a display's published mapping and by
 // the optics of slanted lenses. For comparison it copies such an 8-bit image in memory. Uses all
 // cores; prints the least of nine alternating runs.
-#include "integral/output/interlace.h"
+#include "integral/panel/interlace.h"
 
 #include <algorithm>
 #include <chrono>

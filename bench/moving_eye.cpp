@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Judges frames where they are seen: by an eye that moves past the sheet. For each frame it prints
-// the RMS error of the frame's lit pixels, of the views through a pupil, and of what changes from
-// one view to the next, all in comparison with a converged frame. Errors that stand still in the
+// Judges frames as they are seen, by an eye that moves past the sheet. For each frame it prints
+// three RMS errors in comparison with a converged frame: of the frame's lit pixels, of the views
+// through a pupil, and of the changes from one view to the next. Errors that stand still in the
 // frame but move before the eye (steps on surfaces, crawling outlines) show in the last figure.
 #include "bench/program.h"
 #include "bench/views.h"
@@ -40,8 +40,8 @@ std::vector<Frame> views_of(const Frame& frame)
     return views;
 }
 
-/// The root mean square of what difference(view, x, y) returns for each pixel of the views: three
-/// differences of colours. `form` has a view's size.
+/// Root mean square of difference(view, x, y), which returns three colour differences, over all
+/// pixels of the views. `form` has a view's size.
 template <class Difference> double rms(int views, const Image& form, Difference difference)
 {
     double sum = 0;
@@ -67,13 +67,13 @@ int run(const std::vector<std::string>& files)
     const Frame reference = read_frame_with_metadata(files[0]);
     if (!reference.metadata)
         throw UsageError(files[0] + ": has no geometry; render it with povray-integral");
-    const std::vector<Frame> wanted = views_of(reference);
-    const Image& form = wanted[0].image;
+    const std::vector<Frame> requested = views_of(reference);
+    const Image& form = requested[0].image;
     const auto change = [&](const std::vector<Frame>& views, int k, int x, int y) {
         return less(views[k + 1], views[k], x, y);
     };
     const double moves = rms(eyes - 1, form,
-                             [&](int k, int x, int y) { return change(wanted, k, x, y); });
+                             [&](int k, int x, int y) { return change(requested, k, x, y); });
     std::printf("| frame | error of the frame | of the views | of the change from view to view, in "
                 "terms of the change (%.4f) |\n|---|---|---|---|\n",
                 moves);
@@ -83,10 +83,10 @@ int run(const std::vector<std::string>& files)
             throw UsageError(files[file] + ": is no frame of the reference's size and form");
         const std::vector<Frame> seen = views_of(frame);
         const double views = rms(
-            eyes, form, [&](int k, int x, int y) { return less(seen[k], wanted[k], x, y); });
+            eyes, form, [&](int k, int x, int y) { return less(seen[k], requested[k], x, y); });
         const double changes = rms(eyes - 1, form, [&](int k, int x, int y) {
             auto difference = change(seen, k, x, y);
-            const auto right = change(wanted, k, x, y);
+            const auto right = change(requested, k, x, y);
             for (int c = 0; c < 3; ++c)
                 difference[c] -= right[c];
             return difference;

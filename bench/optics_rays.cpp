@@ -86,7 +86,7 @@ Pass integral_rays(const IntegralCamera& camera)
     return pass;
 }
 
-/// The same with IntegralCamera's runs of pixels, which map several pixels at once where possible.
+/// Does the same with runs of pixels, which map several pixels at once where possible.
 Pass rays_in_runs(const IntegralCamera& camera)
 {
     Pass pass{-cpu_seconds(), 0, 0};
@@ -105,9 +105,9 @@ Pass rays_in_runs(const IntegralCamera& camera)
     return pass;
 }
 
-/// The mapping by its definition, which tries every lens of the sheet. It is slow, and so is asked
-/// for some of the points only. `unlike_accurate`: how many points get another lens than by the
-/// mapping `accurate`.
+/// Maps points by the mapping's definition, which tries every lens of the sheet. It is slow, so
+/// only some of the points are mapped. `unlike_accurate`: number of points that get another lens
+/// than by the mapping `accurate`.
 Pass every_lens(const IntegralCamera& camera, long& unlike_accurate)
 {
     constexpr int step = 173;

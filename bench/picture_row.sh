@@ -2,7 +2,7 @@
 # Functions that put pictures side by side, for the scripts that make the pages' pictures. They use
 # $povray, and write to the current folder.
 
-# run COMMAND...: without its output, unless it fails, which ends the script.
+# run COMMAND...: hides its output; if it fails, prints the output's end and ends the script.
 run() { "$@" > said 2>&1 || { tail -n 20 said >&2; exit 1; }; }
 
 rectangle() { # FILE LEFT LOWER WIDTH HEIGHT of the picture into the unit square

@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_BENCH_PICTURES_H
 #define INTEGRAL_BENCH_PICTURES_H
 
-#include "integral/lightfield/image.h"
+#include "integral/frame/image.h"
 
 #include <string>
 #include <vector>

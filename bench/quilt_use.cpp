@@ -2,9 +2,9 @@
 // Measures the fraction of a quilt's pixels, and of its single samples, that interlacing does not
 // use, for each known display with the quilts that its maker recommends, and for each kind of
 // interpolation between views and pixels.
-#include "integral/output/interlace.h"
-#include "integral/output/interlace_rows.h"
-#include "integral/output/panel.h"
+#include "integral/panel/interlace.h"
+#include "integral/panel/interlace_rows.h"
+#include "integral/panel/panel.h"
 
 #include <cstdio>
 #include <vector>

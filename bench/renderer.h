@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What the benches render: sheets, settings, and the renderer as a subprocess.
+// Runs the renderer as a subprocess for the benches, and defines their sheets and settings.
 #ifndef BENCH_RENDERER_H
 #define BENCH_RENDERER_H
 
@@ -17,7 +17,7 @@ struct Sheet {
     std::string words() const; ///< the sheet in the scene language
 };
 
-/// How a frame is sampled.
+/// Sampling of a frame.
 struct Setting {
     std::string name;
     std::string words;                ///< for the integral camera in the scene

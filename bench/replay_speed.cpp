@@ -3,8 +3,8 @@
 // 1400 pixels per second, and conversion to parallel views and back. For comparison it copies the
 // frame's samples in memory, both over an existing picture and into a new one. Uses all cores;
 // prints the least of five alternating runs.
-#include "integral/replay/parallel_views.h"
 #include "integral/replay/replay.h"
+#include "integral/views/parallel_views.h"
 
 #include <algorithm>
 #include <chrono>
@@ -74,7 +74,7 @@ int main()
             {"replay, 3 x 3, a pupil of 5 mm", [&] { seen(3, 5, LensModel::extended_pinhole); }},
             {"replay, 3 x 3, full lenses", [&] { seen(3, 0, LensModel::full); }},
             {"parallel views", [&] { parallel_views(frame, grid); }},
-            {"frame from views", [&] { frame_from_views(views, *frame.metadata, grid); }}};
+            {"frame from views", [&] { frame_from_parallel_views(views, *frame.metadata, grid); }}};
         for (int round = 0; round < 5; ++round)
             for (Task& task : tasks) {
                 const auto begun = std::chrono::steady_clock::now();

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Anti-aliasing against brute force on scenes that nobody here made: every sample scene of
-// POV-Ray's that renders in reasonable time, unedited, behind two sheets put on with
-// Integral_Camera. Each frame is measured against two converged ones of independent samples. A run
-// that is ended goes on where it was, and tries again what it left out. `strangers -o FOLDER`
-// writes strangers.csv, .md, .svg and .png to a folder in FOLDER that is named after the frames'
-// size.
+// Compares anti-aliasing with brute force on scenes not made for this project: every sample scene
+// of POV-Ray's that renders in reasonable time, unedited, behind two sheets put on with
+// Integral_Camera. Each frame is measured against two converged frames of independent samples. A
+// run continues an interrupted one, and tries again what was left out. `strangers -o FOLDER` writes
+// strangers.csv, .md, .svg and .png to a folder in FOLDER that is named after the frames' size.
 #include "bench/strangers.h"
 
 #include "bench/program.h"
@@ -26,7 +25,7 @@ namespace files = std::filesystem;
 using namespace integral;
 using namespace integral::bench;
 
-constexpr double short_run = 1; // seconds: a frame that takes less is rendered twice for its time
+constexpr double short_run = 1; // seconds: a frame that takes less is rendered twice for timing
 
 options::options_description make_options()
 {
@@ -49,15 +48,15 @@ options::options_description make_options()
     return all;
 }
 
-/// Whether a scene is one of the sample of about one in `number` scenes. The paths choose them, so
-/// that nobody does, and everybody gets the same ones.
+/// Whether a scene belongs to the sample of about one in `number` scenes. A hash of its path
+/// decides, so that the choice is arbitrary but the same in every run.
 bool is_in_sample(const std::string& scene, int number)
 {
     const auto* bytes = reinterpret_cast<const Bytef*>(scene.data());
     return crc32(0, bytes, uInt(scene.size())) % uLong(number) == 0;
 }
 
-/// The scenes of the folder but our own, as paths in it without the extension, in order.
+/// Returns the folder's scenes except our own, as sorted paths in it without the extension.
 std::vector<std::string> scenes_in(const files::path& folder, const std::vector<std::string>& only,
                                    int one_in)
 {
@@ -94,7 +93,7 @@ std::string without_comments(const std::string& text)
     return result;
 }
 
-/// What a scene's light needs, by its own text (not that of files which it includes) and by the
+/// Returns the kind of a scene's lighting, from its own text (without included files) and from the
 /// statistics of a render.
 std::string kind_of(const std::string& scene_text, const std::string& statistics)
 {
@@ -122,7 +121,7 @@ public:
         renderer_.scene_folder = (files::path(renderer_.scene_folder) / scene).parent_path();
     }
 
-    /// Throws std::runtime_error where the scene cannot be rendered, or takes too long.
+    /// Throws std::runtime_error if the scene cannot be rendered or takes too long.
     void measure(const std::function<void(const std::string&)>& say)
     {
         std::vector<Setting> settings = brute_force_settings();
@@ -142,7 +141,7 @@ public:
         }
     }
 
-    /// See kind_of; nothing if no render of the scene has left its statistics.
+    /// The result of kind_of; nothing if there are no statistics of a render.
     std::optional<std::string> kind() const
     {
         const std::string log = renderer_.work_folder + "/" + name_ + ".log";
@@ -159,7 +158,7 @@ private:
         return renderer_.render(file_, name, camera_words(sheet_, setting), options);
     }
 
-    /// Two converged frames of independent samples, and of independent gathering of radiosity.
+    /// Makes two converged frames with independent samples and independent gathering of radiosity.
     void make_references()
     {
         if (!references_.empty())
@@ -206,7 +205,7 @@ private:
     int longest_;
     StrangersTable& table_;
     std::vector<Frame> references_; ///< two, or none yet
-    double floor_ = 0;              ///< of the mean of both: its own error
+    double floor_ = 0;              ///< error of the mean of both
 };
 
 void write_page(const StrangersTable& table, const std::string& folder)

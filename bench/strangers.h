@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The parts of bench/strangers: what was measured of scenes that nobody here made, kept in a table
-// from run to run, and the page that is made of it.
+// The parts of bench/strangers: a table of measurements on scenes not made for this project, which
+// is continued from run to run, and the page that is made of it.
 #ifndef BENCH_STRANGERS_H
 #define BENCH_STRANGERS_H
 
 #include "bench/renderer.h"
 
-#include "integral/lightfield/error_estimate.h"
+#include "integral/frame/error_estimate.h"
 
 #include <map>
 #include <optional>
@@ -19,32 +19,32 @@ namespace integral::bench {
 /// One frame: a scene behind a sheet, at one setting.
 struct StrangersRow {
     double cpu_seconds = 0; ///< of tracing, without parsing; the least of the runs
-    double error = 0;       ///< RMSE over the lit pixels, freed of the references' own errors
+    double error = 0;       ///< RMSE over the lit pixels, without the references' own errors
     double floor = 0;       ///< the error of the mean of both references
-    std::optional<ErrorEstimate> estimate; ///< the program's, of `error`
+    std::optional<ErrorEstimate> estimate; ///< the program's estimate of `error`
 };
 
 /// One scene behind one sheet: its frames, by their settings' full names.
 using StrangersPanel = std::map<std::string, StrangersRow>;
 
-/// Everything measured so far, in a file that grows by a line for each frame, so that a run that
-/// was ended goes on where it was.
+/// Everything measured so far, in a file that grows by a line for each frame, so that a run can
+/// continue an interrupted one.
 class StrangersTable {
 public:
-    /// Reads FILE if there is one. Throws std::runtime_error, with the line, where it is not one of
-    /// ours.
+    /// Reads `file` if it exists. Throws std::runtime_error with the line if a line does not have
+    /// this table's format.
     explicit StrangersTable(const std::string& file);
 
-    /// By scene and sheet, and the setting's full name.
+    /// A scene and a sheet. `setting` is a setting's full name.
     using Key = std::pair<std::string, std::string>;
     const StrangersRow* find(const Key& panel, const std::string& setting) const;
     void add(const Key& panel, const std::string& setting, const StrangersRow& row);
 
-    /// Says why a scene is not judged: the renderer refuses it, or it takes too long. It is judged
-    /// all the same if rows are added later.
+    /// Records why a scene is left out: the renderer fails, or it takes too long. Rows that are
+    /// added later cancel this.
     void leave_out(const std::string& scene, const std::string& reason);
 
-    /// What its light needs ("matte under point lights"); null: not known.
+    /// The kind of a scene's lighting, such as "matte under point lights"; null if not known.
     const std::string* kind(const std::string& scene) const;
     void set_kind(const std::string& scene, const std::string& kind);
 
@@ -60,26 +60,26 @@ private:
     std::map<std::string, std::string> left_out_, kinds_;
 };
 
-/// Brute force: so many samples for every pixel, the plainest first.
+/// Settings of brute force: a fixed number of samples for every pixel, from one upwards.
 const std::vector<Setting>& brute_force_settings();
-/// +A in the light field by falling threshold.
+/// Settings of +A in the light field, by falling threshold.
 const std::vector<Setting>& antialias_settings();
-/// The same without reconstruction.
+/// Such settings without reconstruction.
 const std::vector<Setting>& settings_without_reconstruction();
 
-/// The time of brute force for the same error, divided by that of +A: above 1, +A is the faster.
-/// Where +A errs more than a single ray, that ray's time stands for brute force's. Nothing where a
-/// frame is missing, where one ray a pixel errs by less than 0.001, and where the error is less than
-/// the reference's own, or less than brute force's least.
+/// The time of brute force at equal error, divided by the time of +A: above 1, +A is faster. If +A
+/// errs more than one ray a pixel, the time of one ray a pixel counts as brute force's. Nothing if
+/// a frame is missing, if one ray a pixel errs by less than 0.001, or if the error is less than the
+/// references' own or than brute force's least.
 std::optional<double> speed_up(const StrangersPanel& panel, const Setting& setting);
-/// The time of +A, divided by that of +A without reconstruction for the same error: below 1,
-/// reconstruction pays. Nothing where a frame is missing, where the error is less than the
-/// reference's own, or not between those without reconstruction.
+/// The time of +A, divided by the time of +A without reconstruction at equal error: below 1,
+/// reconstruction pays. Nothing if a frame is missing, or if the error is less than the references'
+/// own or outside the range of errors without reconstruction.
 std::optional<double> time_to_that_without(const StrangersPanel& panel, const Setting& setting);
 
 /// The page, in Markdown: the distribution over all scenes and sheets, then each of them.
 std::string strangers_page(const StrangersTable& table);
-/// FOLDER/strangers.svg and .png: speed-ups in rising order, one curve a threshold.
+/// Writes FOLDER/strangers.svg and .png: speed-ups in rising order, one curve a threshold.
 void write_strangers_plot(const StrangersTable& table, const std::string& folder);
 
 } // namespace integral::bench

@@ -32,7 +32,7 @@ std::optional<double> seconds_of_best(const StrangersPanel& panel,
     std::stable_sort(rows.begin(), rows.end(), [](const StrangersRow& a, const StrangersRow& b) {
         return a.cpu_seconds < b.cpu_seconds;
     });
-    const StrangersRow* last = nullptr; // the one of those with the next greater error
+    const StrangersRow* last = nullptr; // the unbeaten one with the next greater error
     for (const StrangersRow& next : rows) {
         if (last && next.error >= last->error)
             continue;

@@ -21,11 +21,11 @@ std::string number(double value, const char* format)
     return text;
 }
 
-/// speed_up or time_to_that_without.
+/// Type of speed_up and time_to_that_without.
 using Figure = std::optional<double>(const StrangersPanel& panel, const Setting& setting);
 
-/// A figure at one threshold over all scenes and sheets, in rising order; `kind`: over those of one
-/// kind.
+/// Returns a figure at one threshold over all scenes and sheets, in rising order; with `kind`, over
+/// the scenes of that kind.
 std::vector<double> figures(const StrangersTable& table, const Setting& setting, Figure figure,
                             const std::string& kind = {})
 {
@@ -67,7 +67,7 @@ void add_distribution(std::ostringstream& text, const StrangersTable& table)
     }
 }
 
-/// A table of geometric means, and of the least or the most, by what a scene's light needs.
+/// Adds a table of geometric means and of minima (`least`) or maxima, by the kind of lighting.
 void add_kinds(std::ostringstream& text, const StrangersTable& table, Figure figure, bool least)
 {
     std::set<std::string> kinds;
@@ -93,7 +93,7 @@ void add_kinds(std::ostringstream& text, const StrangersTable& table, Figure fig
     }
 }
 
-/// How often the program's interval of 95% holds the error that was measured.
+/// Adds how often the program's 95% interval contains the measured error.
 void add_honesty(std::ostringstream& text, const StrangersTable& table)
 {
     int held = 0, intervals = 0;

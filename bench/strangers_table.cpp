@@ -13,11 +13,11 @@ namespace integral::bench {
 
 namespace {
 
-/// In the table, words about a scene stand in the place of a sheet and a setting: why it is left
-/// out, and what kind it is of.
+/// Marks of lines about a whole scene, in the sheet's place. The setting's place contains the
+/// reason why the scene is left out, or its kind.
 constexpr const char *left_out_mark = "left out", *kind_mark = "kind";
 
-/// Without what would end a field or a line.
+/// Replaces characters that would end a field or a line by blanks.
 std::string plain(std::string text)
 {
     for (char& c : text)

@@ -33,8 +33,9 @@ constexpr int width = 708, height = 532;
 constexpr ViewForm form{4, 4, 8};
 constexpr double view_pixel = form.film_pixels * mm_per_inch / dots_per_inch;
 constexpr double side = 0.45; // the side eye's distance from the centre, in aperture widths
-// How a sphere's edge falls on lenses and pixels is chance. Therefore the profile is the mean over
-// spheres whose edges are 0.8 mm apart, a third of the width of a pixel's beam at 300 dpi (2.2 mm).
+// The position of a sphere's edge on lenses and pixels is arbitrary. Therefore the profile is the
+// mean over spheres whose edges are 0.8 mm apart, a third of the width of a pixel's beam at 300 dpi
+// (2.2 mm).
 constexpr double radius = 24, radius_step = 0.8;
 constexpr int spheres = 5;
 
@@ -163,8 +164,8 @@ Profile profile_of(const Image& view, double middle)
     return profile;
 }
 
-/// RMSE over the pixels that are not black in the reference. Nothing in this scene is black; black
-/// pixels are those that no lens shows to the aperture.
+/// RMSE over the pixels that are not black in the reference. Nothing in this scene is black; a
+/// pixel is black if no lens shows it to the aperture.
 double lit_rmse(const Image& image, const Image& reference)
 {
     ColourDifferences differences;
@@ -251,8 +252,8 @@ private:
         return cost.camera_rays;
     }
 
-    /// Among settings of POV-Ray's own anti-aliasing with at least `least` camera rays, the one
-    /// with the fewest.
+    /// Returns the setting of POV-Ray's own anti-aliasing that takes the fewest camera rays, but at
+    /// least `least`.
     Shot by_pixels_with(long long least) const
     {
         std::optional<Shot> best;

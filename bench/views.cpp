@@ -63,9 +63,9 @@ Frame perspective_of(const Renderer& renderer, const std::string& scene, const s
                       form);
 }
 
-ViewFigures view_figures(const Frame& view, const Frame& wanted)
+ViewFigures view_figures(const Frame& view, const Frame& requested)
 {
-    const Comparison comparison = compare(view, wanted);
+    const Comparison comparison = compare(view, requested);
     return {comparison.psnr, comparison.ssim};
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Views of a frame from an eye, and the scene's perspective pictures from the same eye.
+// Replays a frame's view from an eye, and renders the scene's perspective picture from there.
 #ifndef INTEGRAL_BENCH_VIEWS_H
 #define INTEGRAL_BENCH_VIEWS_H
 
-#include "integral/lightfield/frame.h"
+#include "integral/frame/frame.h"
 
 #include <optional>
 #include <string>
@@ -55,12 +55,12 @@ Frame perspective_of(const Renderer& renderer, const std::string& scene, const s
                      const std::optional<EyePosition>& eye, std::vector<std::string> options,
                      int times, const ViewForm& form);
 
-/// The similarity of a replayed view to another picture of what that eye should see.
+/// Similarity of a replayed view to a picture of what the eye should see.
 struct ViewFigures {
     double psnr = 0, ssim = 0; ///< dB; -1 to 1
 };
 
-ViewFigures view_figures(const Frame& view, const Frame& wanted);
+ViewFigures view_figures(const Frame& view, const Frame& requested);
 ViewFigures mean(const std::vector<ViewFigures>& views);
 ViewFigures least(const std::vector<ViewFigures>& views);
 ViewFigures greatest(const std::vector<ViewFigures>& views);
@@ -69,8 +69,8 @@ ViewFigures greatest(const std::vector<ViewFigures>& views);
 double lit_rmse(const Frame& frame, const Frame& reference);
 
 /// Mean product of the frame's differences from two references, over the same pixels. If the
-/// references err independently of each other, that is the frame's mean squared error: their own
-/// errors do not count in it. It may be below 0.
+/// references err independently of each other, this is the frame's mean squared error without the
+/// references' own errors. It may be below 0.
 double lit_squared_error(const Frame& frame, const Frame& a, const Frame& b);
 
 } // namespace integral::bench

@@ -8,10 +8,10 @@
 #include "integral/depth/depth_input.h"
 #include "integral/depth/depth_quality.h"
 #include "integral/io/image_file.h"
-#include "integral/output/given_views.h"
-#include "integral/output/interlace.h"
-#include "integral/output/panel.h"
+#include "integral/panel/interlace.h"
+#include "integral/panel/panel.h"
 #include "integral/replay/replay.h"
+#include "integral/views/view_input.h"
 
 #include <cstdio>
 #include <exception>

@@ -10,18 +10,22 @@ build_bin_integral_LDADD = $(LIBINTEGRAL_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTI
 
 include $(srcdir)/integral/base/local.mk
 include $(srcdir)/integral/optics/local.mk
-include $(srcdir)/integral/lightfield/local.mk
-include $(srcdir)/integral/replay/local.mk
-include $(srcdir)/integral/compare/local.mk
-include $(srcdir)/integral/output/local.mk
-include $(srcdir)/integral/analysis/local.mk
-include $(srcdir)/integral/depth/local.mk
-include $(srcdir)/integral/fabrication/local.mk
+include $(srcdir)/integral/frame/local.mk
 include $(srcdir)/integral/io/local.mk
+include $(srcdir)/integral/sampling/local.mk
+include $(srcdir)/integral/reconstruction/local.mk
+include $(srcdir)/integral/sheet/local.mk
+include $(srcdir)/integral/compare/local.mk
+include $(srcdir)/integral/replay/local.mk
+include $(srcdir)/integral/views/local.mk
+include $(srcdir)/integral/panel/local.mk
+include $(srcdir)/integral/print/local.mk
+include $(srcdir)/integral/screen/local.mk
+include $(srcdir)/integral/depth/local.mk
+include $(srcdir)/integral/analysis/local.mk
 include $(srcdir)/integral/wireframe/local.mk
 include $(srcdir)/integral/batch/local.mk
-include $(srcdir)/integral/resolution/local.mk
-include $(srcdir)/integral/multiview/local.mk
+include $(srcdir)/integral/laboratory/local.mk
 include $(srcdir)/integral/studio/local.mk
 include $(srcdir)/integral/cli/local.mk
 
@@ -76,11 +80,17 @@ manual:
 	rm -rf build/manual && $(srcdir)/doc/html/make-manual $(srcdir) build/manual
 	@echo build/manual/index.html is the manual
 
-# For programs of others (doc/library.md): the headers, and how to compile and link with them.
-libintegral_headers = $(filter %.h,$(build_lib_libintegral_a_SOURCES))
+# For programs of others: the headers that doc/library.md is about, those that they include, and how to
+# compile and link with them. All other headers are private.
+interface_headers = base/file_bytes.h base/parallel.h optics/lens_sheet.h optics/camera.h optics/lens_mapping.h \
+  optics/beam.h sheet/sheet_figures.h frame/frame.h io/image_file.h replay/replay.h views/view_input.h \
+  views/perspective_views.h panel/panel.h panel/interlace.h depth/depth_input.h depth/view_set.h \
+  depth/depth_quality.h depth/multibaseline.h depth/depth_files.h
 pkgconfigdir = $(libdir)/pkgconfig
 install-libintegral:
-	cd $(srcdir) && for header in $(libintegral_headers); do \
+	cd $(srcdir) && headers=`for header in $(interface_headers); do echo "#include <integral/$$header>"; done | \
+	    $(CXX) -std=c++17 -I. $(FRAME_CFLAGS) -M -x c++ - | tr ' ' '\n' | grep '^integral/'` && \
+	for header in $$headers; do \
 	    $(MKDIR_P) "$(DESTDIR)$(includedir)/$${header%/*}" && \
 	    $(INSTALL_DATA) $$header "$(DESTDIR)$(includedir)/$$header" || exit 1; done
 	$(MKDIR_P) '$(DESTDIR)$(pkgconfigdir)'

@@ -58,6 +58,7 @@ build_threads_unit_DEPENDENCIES = $(build_tests_unit_OBJECTS) build/threads/libi
 unit_sources = \
   tests/unit/analysis_lattice.cpp \
   tests/unit/analysis_scan.cpp \
+  tests/unit/base_eight_floats.cpp \
   tests/unit/base_json.cpp \
   tests/unit/base_message_text.cpp \
   tests/unit/batch_files.cpp \
@@ -65,74 +66,34 @@ unit_sources = \
   tests/unit/batch_renderer_options.cpp \
   tests/unit/batch_strips.cpp \
   tests/unit/batch_tune.cpp \
+  tests/unit/compare_flip.cpp \
+  tests/unit/compare_pictures.cpp \
+  tests/unit/compare_regions.cpp \
+  tests/unit/compare_seen.cpp \
+  tests/unit/compare_tolerances.cpp \
   tests/unit/depth_multibaseline.cpp \
   tests/unit/depth_spread.cpp \
   tests/unit/depth_votes.cpp \
-  tests/unit/fabrication.cpp \
+  tests/unit/flip_oracle.h \
+  tests/unit/frame_depth_range.cpp \
+  tests/unit/frame_error_estimate.cpp \
+  tests/unit/frame_image.cpp \
+  tests/unit/frame_linear_colour.cpp \
+  tests/unit/frame_metadata.cpp \
   tests/unit/io_as_shown.cpp \
+  tests/unit/io_device_text.cpp \
+  tests/unit/io_html_page.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_jpeg_forms.cpp \
   tests/unit/io_lists_of_views.cpp \
-  tests/unit/io_mpo.cpp \
   tests/unit/io_memory.cpp \
+  tests/unit/io_mpo.cpp \
   tests/unit/io_pfm.cpp \
   tests/unit/io_plot.cpp \
   tests/unit/io_rows.cpp \
   tests/unit/io_tiff_forms.cpp \
-  tests/unit/lightfield_beam_patch.cpp \
-  tests/unit/lightfield_cut_pixel.cpp \
-  tests/unit/lightfield_depth_range.cpp \
-  tests/unit/lightfield_eight_floats.cpp \
-  tests/unit/lightfield_error_estimate.cpp \
-  tests/unit/lightfield_image.cpp \
-  tests/unit/lightfield_known_sheets.cpp \
-  tests/unit/lightfield_layer_plane.cpp \
-  tests/unit/lightfield_lens_profile.cpp \
-  tests/unit/lightfield_linear_colour.cpp \
-  tests/unit/lightfield_metadata.cpp \
-  tests/unit/lightfield_noise_filter.cpp \
-  tests/unit/lightfield_pass_rows.cpp \
-  tests/unit/lightfield_pass_schedule.cpp \
-  tests/unit/lightfield_pixel_beam.cpp \
-  tests/unit/lightfield_pixel_sampler.cpp \
-  tests/unit/lightfield_reconstruction.cpp \
-  tests/unit/lightfield_refinement.cpp \
-  tests/unit/lightfield_sample_points.cpp \
-  tests/unit/lightfield_sample_spread.cpp \
-  tests/unit/lightfield_sampling_forecast.cpp \
-  tests/unit/lightfield_scene_fit.cpp \
-  tests/unit/lightfield_sheet_figures.cpp \
-  tests/unit/lightfield_visual_pitch.cpp \
-  tests/unit/lightfield_zone_shares.cpp \
-  tests/unit/compare_flip.cpp \
-  tests/unit/compare_regions.cpp \
-  tests/unit/compare_seen.cpp \
-  tests/unit/flip_oracle.h \
-  tests/unit/output_device_text.cpp \
-  tests/unit/output_fit.cpp \
-  tests/unit/output_interlace.cpp \
+  tests/unit/laboratory_fabrication.cpp \
   tests/unit/looking_glass_devices.h \
-  tests/unit/output_cubevi.cpp \
-  tests/unit/output_looking_glass.cpp \
-  tests/unit/output_html_page.cpp \
-  tests/unit/output_page.cpp \
-  tests/unit/output_panel.cpp \
-  tests/unit/output_pitch_chart.cpp \
-  tests/unit/output_relief_chart.cpp \
-  tests/unit/output_pitch_wizard.cpp \
-  tests/unit/output_screens.cpp \
-  tests/unit/replay_comparators.cpp \
-  tests/unit/replay_compare.cpp \
-  tests/unit/replay_draft.cpp \
-  tests/unit/replay_eyes.cpp \
-  tests/unit/replay_frames.h \
-  tests/unit/replay_lying_lenses.cpp \
-  tests/unit/replay_page.cpp \
-  tests/unit/replay_parallax.cpp \
-  tests/unit/replay_parallel_views.cpp \
-  tests/unit/replay_paths.cpp \
-  tests/unit/replay_tolerances.cpp \
-  tests/unit/replay_views.cpp \
   tests/unit/main.cpp \
   tests/unit/numerics_table.cpp \
   tests/unit/numerics_table.h \
@@ -147,25 +108,64 @@ unit_sources = \
   tests/unit/optics_mapping.cpp \
   tests/unit/optics_models.cpp \
   tests/unit/optics_oracle.h \
+  tests/unit/optics_pixel_run.cpp \
   tests/unit/optics_projection.cpp \
   tests/unit/optics_properties.cpp \
   tests/unit/optics_properties.h \
-  tests/unit/optics_pixel_run.cpp \
   tests/unit/optics_rays.cpp \
   tests/unit/optics_sheets.h \
   tests/unit/optics_subpixels.cpp \
   tests/unit/optics_surface.cpp \
   tests/unit/optics_symmetries.cpp \
-  tests/unit/output_print_media.cpp \
+  tests/unit/optics_visual_pitch.cpp \
+  tests/unit/panel_cubevi.cpp \
+  tests/unit/panel_interlace.cpp \
+  tests/unit/panel_looking_glass.cpp \
+  tests/unit/panel_panels.cpp \
   tests/unit/picture_bytes.h \
   tests/unit/picture_files.h \
   tests/unit/pixel_origins.h \
+  tests/unit/print_media.cpp \
+  tests/unit/print_page.cpp \
+  tests/unit/print_pitch_chart.cpp \
+  tests/unit/print_pitch_wizard.cpp \
+  tests/unit/print_relief_chart.cpp \
+  tests/unit/reconstruction_beam_footprint.cpp \
+  tests/unit/reconstruction_clipped_pixel.cpp \
+  tests/unit/reconstruction_frames.cpp \
+  tests/unit/reconstruction_layer_plane.cpp \
+  tests/unit/reconstruction_noise_filter.cpp \
+  tests/unit/reconstruction_pass_rows.cpp \
+  tests/unit/reconstruction_pass_schedule.cpp \
+  tests/unit/reconstruction_refinement.cpp \
+  tests/unit/replay_comparators.cpp \
+  tests/unit/replay_draft.cpp \
+  tests/unit/replay_eyes.cpp \
+  tests/unit/replay_frames.h \
+  tests/unit/replay_lying_lenses.cpp \
+  tests/unit/replay_page.cpp \
+  tests/unit/replay_parallax.cpp \
+  tests/unit/replay_paths.cpp \
+  tests/unit/replay_views.cpp \
   tests/unit/sampled_frame.h \
+  tests/unit/sampling_lens_profile.cpp \
+  tests/unit/sampling_pixel_beam.cpp \
+  tests/unit/sampling_pixel_sampler.cpp \
+  tests/unit/sampling_sample_points.cpp \
+  tests/unit/sampling_sample_spread.cpp \
+  tests/unit/screen_displays.cpp \
+  tests/unit/sheet_figures.cpp \
+  tests/unit/sheet_known_sheets.cpp \
+  tests/unit/sheet_sampling_forecast.cpp \
+  tests/unit/sheet_scene_fit.cpp \
+  tests/unit/sheet_zone_shares.cpp \
+  tests/unit/views_parallel_views.cpp \
+  tests/unit/views_picture_fit.cpp \
   tests/unit/wireframe.cpp \
   tests/unit/wireframe_far.cpp
 
-# What the scripts of tests/render compare with: an oracle that shares nothing with libintegral, and
-# a comparer of PNGs.
+# Programs for the scripts of tests/render: an oracle that shares nothing with libintegral, and a
+# comparer of PNGs.
 EXTRA_PROGRAMS += build/tests/oracle build/tests/frames build/tests/depths
 build_tests_oracle_SOURCES = \
   tests/render/helpers/oracle.h \
@@ -188,7 +188,7 @@ build_tests_depths_SOURCES = \
   tests/render/helpers/frames_files.cpp
 build_tests_depths_LDADD = $(FRAME_LIBS)
 
-# What tests/sanitized/fuzz.test runs: what reads files, with the sanitized objects.
+# The program of tests/sanitized/fuzz.test: everything that reads files, with sanitized objects.
 fuzz_sources = \
   tests/sanitized/fuzz/commands.cpp \
   tests/sanitized/fuzz/integral_main.cpp \
@@ -207,7 +207,7 @@ sanitized_commands = $(filter-out %-main.$(OBJEXT),$(build_sanitized_integral_OB
 build_sanitized_mutations_DEPENDENCIES = $(sanitized_commands) build/sanitized/libintegral.a
 
 test_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' CXX='$(CXX)' MAKE='$(MAKE)'
-# By layer, so that some layers need no more than they use.
+# Programs by layer, so that a layer needs only the programs that it uses.
 programs_of_unit = build/tests/unit
 programs_of_render = build/tests/oracle build/tests/frames build/tests/depths build/tests/centroid
 programs_of_quick = $(programs_of_unit) $(programs_of_render)
@@ -230,7 +230,7 @@ quick-programs: all $(programs_of_quick) unmodified
 check-local: test-programs
 	@$(test_environment) $(abs_top_srcdir)/tests/run $(LAYERS)
 
-# What says so of itself ("# quick: yes"), for an answer in minutes.
+# Runs the tests marked "# quick: yes", for an answer in minutes.
 check-quick: quick-programs
 	@$(test_environment) $(abs_top_srcdir)/tests/run --quick $(LAYERS)
 
@@ -255,8 +255,8 @@ numerics: build/tests/unit
 
 EXTRA_DIST += tests
 
-# What it runs under check-long: everything again, compiled by clang for libFuzzer. GNU make's
-# rules, for clang's own flags.
+# The program of fuzz.test under check-long: everything again, compiled by clang for libFuzzer. GNU
+# make's rules, for clang's own flags.
 FUZZ_CXX = clang++
 FUZZ_CXXFLAGS = -std=c++17 -O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow \
   -fno-sanitize-recover=undefined,float-cast-overflow

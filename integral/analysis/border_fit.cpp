@@ -13,8 +13,8 @@ std::vector<MapChange> free_directions(const LensSheet& sheet, const ScanMap& ma
     if (sheet.arrangement != Arrangement::lenticular)
         return {
             {1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {0, 0, 0, 0, 1}};
-    // Across the lenses' lines in the scan: the direction b across the sheet's lenses, turned, and
-    // divided by the scales as normals are.
+    // The direction across the lenses in the scan: the direction b across the sheet's lenses,
+    // turned, and divided by the scales, as the normals of lines are.
     const Vec2 b = Lattice(sheet).across();
     const double c = std::cos(map.rotation), s = std::sin(map.rotation);
     const Vec2 normal{(c * b.x - s * b.y) / map.scale.x, -(s * b.x + c * b.y) / map.scale.y};

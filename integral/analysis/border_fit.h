@@ -13,30 +13,29 @@
 
 namespace integral {
 
-/// A change of a ScanMap: of the logarithms of both scales, of the rotation, and of the middle's x
-/// and y.
+/// Change of a ScanMap: the logarithms of both scales, the rotation, and the middle's x and y.
 using MapChange = std::array<double, 5>;
 
-/// The changes that a sheet's borders can tell: all five; of a lenticular sheet both scales
+/// The changes that a sheet's borders determine: all five; for a lenticular sheet both scales
 /// together, the rotation, and the middle across the lenses.
 std::vector<MapChange> free_directions(const LensSheet& sheet, const ScanMap& map);
 
 /// The map after a change.
 ScanMap changed(const ScanMap& map, const MapChange& change);
 
-/// The mean edge at `points` (mm) on borders, less the mean of the whole plane. Points outside the
-/// scan count as that mean.
+/// Mean edge strength at the border points `points` (mm), less the plane's mean. Points outside the
+/// scan count as the plane's mean.
 double edge_on_borders(const Plane& edges, const std::vector<Vec2>& points, const ScanMap& map);
 
-/// The map near `map` with the most edge on the borders, by damped Newton steps.
+/// The map near `map` with the greatest edge strength on the borders, by damped Newton steps.
 ScanMap fit_borders(const Plane& edges, const std::vector<Vec2>& points, const LensSheet& sheet,
                     ScanMap map);
 
-/// The same with the ratio of both scales kept.
+/// Fits like fit_borders, with the ratio of both scales fixed.
 ScanMap fit_borders_with_ratio(const Plane& edges, const std::vector<Vec2>& points, ScanMap map);
 
-/// The points in those parts of the film (16 x 16) in which the borders show under this map: not
-/// where there is blank paper or an even picture.
+/// The points in those of 16 x 16 parts of the film in which borders show under this map; parts
+/// with blank paper or uniform areas of the picture are left out.
 std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>& points,
                                      const LensSheet& sheet, const ScanMap& map);
 

@@ -13,7 +13,7 @@ std::optional<Local> local(const Plane& plane, Vec2 pixel)
         return std::nullopt;
     const int left = int(std::floor(x)), top = int(std::floor(y));
     const double u = x - left, v = y - top;
-    double s[3][3]; // a pixel apart, the place itself in the middle
+    double s[3][3]; // one pixel apart, around the place itself
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) {
             const int column = left + i - 1, row = top + j - 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The edge on the borders between micro-images and its derivatives by a change of a scan's map, for
-// fits of the whole scan and of its parts.
+// Computes the edge strength on the borders between micro-images, and the strength's derivatives
+// with respect to a scan's map, for fits of the whole scan and of its parts.
 #ifndef INTEGRAL_ANALYSIS_BORDER_SLOPE_H
 #define INTEGRAL_ANALYSIS_BORDER_SLOPE_H
 
@@ -11,16 +11,16 @@
 
 namespace integral {
 
-/// A plane's value between its pixels' centres, with its slopes and curvatures, which are
-/// differences over one pixel.
+/// A plane's value between its pixels' centres, with its slopes and curvatures as differences over
+/// one pixel.
 struct Local {
     double value, x, y, xx, xy, yy;
 };
 
-/// Nothing within two pixels of the plane's edge.
+/// The plane at `pixel`; nothing within two pixels of the plane's sides.
 std::optional<Local> local(const Plane& plane, Vec2 pixel);
 
-/// How a point's place in the scan moves (pixels along x and y) with each free direction. c and s
+/// Derivative of a point's place in the scan (pixels along x and y) by each free direction. c and s
 /// are the cosine and sine of the map's rotation.
 std::array<Vec2, 5> motion_of(const ScanMap& map, double c, double s,
                               const std::vector<MapChange>& free, Vec2 point);
@@ -34,14 +34,14 @@ struct Slope {
     Matrix curvature{};
 };
 
-/// Slope of the edge at the points.
+/// Sum of the edge strength at the points, with its derivatives.
 Slope slope_at(const Plane& edges, const std::vector<Vec2>& points, const ScanMap& map,
                const std::vector<MapChange>& free);
 
-/// Solves a x = b for a symmetric positive definite a of `n` rows; nothing if it is not.
+/// Solves a x = b for a symmetric positive definite a of `n` rows; returns nothing for any other a.
 std::optional<MapChange> solve(Matrix a, MapChange b, std::size_t n);
 
-/// The sum of the free directions, each by its amount.
+/// Sum of the free directions, each times its amount.
 MapChange combined(const std::vector<MapChange>& free, const MapChange& amounts);
 
 /// The next step of a damped Newton search for the maximum; nothing if the damping is too weak for
@@ -49,8 +49,8 @@ MapChange combined(const std::vector<MapChange>& free, const MapChange& amounts)
 std::optional<MapChange> newton_step(const Slope& here, const std::vector<MapChange>& free,
                                      double damping);
 
-/// Climbs from `map` along free_of(map), by damped Newton steps, to where the points have the most
-/// edge.
+/// Climbs from `map` along free_of(map), by damped Newton steps, to the maximum of the edge
+/// strength at the points.
 template <class FreeOf>
 ScanMap climb(const Plane& edges, const std::vector<Vec2>& points, ScanMap map, FreeOf free_of)
 {
@@ -87,7 +87,7 @@ ScanMap climb(const Plane& edges, const std::vector<Vec2>& points, ScanMap map, 
     return map;
 }
 
-/// Divides the film that the scan holds into `side` x `side` parts and tells in which a point lies.
+/// Divides the film that the scan holds into `side` x `side` parts; returns the part of a point.
 class Squares {
 public:
     Squares(const Plane& edges, const std::vector<Vec2>& points, const ScanMap& map, int side)

@@ -14,7 +14,7 @@ Plane plane_of(int width, int height)
     return {width, height, std::vector<float>(std::size_t(width) * height), 0};
 }
 
-/// The scan's colours in its encoding (linear light as sRGB), reduced: three planes.
+/// Three planes: the scan's colours in its encoding (linear light as sRGB), reduced.
 std::vector<Plane> reduced_colours(const Image& scan, int reduction, int threads)
 {
     std::vector<Plane> planes(3, plane_of(scan.width / reduction, scan.height / reduction));
@@ -37,7 +37,7 @@ std::vector<Plane> reduced_colours(const Image& scan, int reduction, int threads
     return planes;
 }
 
-/// The mean of `reach` neighbours each way along each axis, fewer at the edges.
+/// Mean over `reach` neighbours each way along each axis, fewer at the plane's sides.
 Plane box_mean(const Plane& plane, int reach, int threads)
 {
     const auto sweep = [&](const Plane& from, Plane& to, int lines, int length,

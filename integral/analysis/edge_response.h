@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_ANALYSIS_EDGE_RESPONSE_H
 #define INTEGRAL_ANALYSIS_EDGE_RESPONSE_H
 
-#include "integral/lightfield/image.h"
+#include "integral/frame/image.h"
 #include "integral/optics/vec.h"
 
 #include <optional>
@@ -15,24 +15,24 @@ namespace integral {
 struct Plane {
     int width = 0, height = 0;
     std::vector<float> values; ///< row by row from the top
-    double mean = 0;           ///< of all values, if a function says that it sets it
+    double mean = 0;           ///< of all values; set only by functions that say so
 
     float at(int x, int y) const { return values[std::size_t(y) * width + x]; }
     float& at(int x, int y) { return values[std::size_t(y) * width + x]; }
 };
 
 /// The strength g / (g + m) of the edge at each pixel: g is the length of the gradient over all
-/// colours, m its mean over the surroundings (`reach` pixels each way) plus a tenth of its mean
-/// over the whole scan. It is 0 to 1 in any light and contrast, so that strong edges of the picture
-/// count little more than the borders of its micro-images. Each pixel is the mean of `reduction` x
-/// `reduction` of the scan's; an incomplete rest at the right and below is left out. reach and
-/// reduction > 0. With `across`, a unit vector in the scan's pixels, g is the gradient along that
-/// direction only.
+/// colours, m is the mean of g over the neighbourhood (`reach` pixels each way) plus a tenth of the
+/// mean of g over the whole scan. The strength is 0 to 1 in any light and contrast, so that strong
+/// edges of the picture count little more than the borders of micro-images. Each pixel is the mean
+/// of `reduction` x `reduction` scan pixels; incomplete blocks at the right and bottom are left
+/// out. reach and reduction > 0. With `across`, a unit vector in the scan's pixels, g is the
+/// gradient along that direction only.
 Plane edge_response(const Image& scan, int reduction, double reach, int threads,
                     std::optional<Vec2> across = std::nullopt);
 
-/// A plane blurred by a Gaussian of this standard deviation (pixels); beyond its edge the values
-/// are those at the edge. Sets the mean.
+/// A plane blurred by a Gaussian of this standard deviation (pixels); the plane's outermost values
+/// continue beyond its sides. Sets the mean.
 Plane blurred(const Plane& plane, double deviation, int threads);
 
 /// a - b, planes of the same size. Sets the mean.

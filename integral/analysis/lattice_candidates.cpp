@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_candidates = 3;
 
-/// The frequencies (cycles/mm) at which a sheet's micro-images repeat, on the axis.
+/// Frequencies (cycles/mm) at which a sheet's micro-images repeat near the axis.
 std::vector<Vec2> frequencies_of(const LensSheet& sheet, double distance)
 {
     const Lattice lattice(sheet);
@@ -33,21 +33,21 @@ Vec2 frequency_in_scan(Vec2 frequency, const ScanMap& map)
             -(s * frequency.x + c * frequency.y) / map.scale.y};
 }
 
-/// Maps with other turns and scales, row by row of the same turn.
+/// Maps with different rotations and scales; each row has one rotation.
 struct CandidateGrid {
     int scales, turns;
     std::vector<LatticeCandidate> all;
     const LatticeCandidate& at(int scale, int turn) const { return all[turn * scales + scale]; }
 };
 
-/// Every turn and scale in the range of the search, with the square roots of the powers of a few
-/// harmonics as their score.
+/// Every rotation and scale in the range of the search. The score is the sum of the amplitudes
+/// (square roots of the powers) of a few harmonics.
 CandidateGrid scored_by_spectrum(const Spectrum& spectrum, const LatticeSearch& search,
                                  const ScanMap& about)
 {
     constexpr int harmonics = 3;
     const std::vector<Vec2> frequencies = frequencies_of(search.sheet, search.aperture.distance);
-    // Steps that move the highest harmonic by half of what the window tells apart.
+    // Each step moves the highest harmonic by half of the window's resolution.
     const double pixels = search.sheet.pitch * std::min(about.scale.x, about.scale.y);
     const double step = 0.5 * pixels / (harmonics * spectrum.extent());
     CandidateGrid grid;
@@ -71,7 +71,7 @@ CandidateGrid scored_by_spectrum(const Spectrum& spectrum, const LatticeSearch& 
     return grid;
 }
 
-/// Whether none within two steps each way has a higher score.
+/// Whether no map within two steps each way has a higher score.
 bool is_peak(const CandidateGrid& grid, int scale, int turn)
 {
     for (int j = std::max(0, turn - 2); j <= std::min(grid.turns - 1, turn + 2); ++j)

@@ -15,7 +15,7 @@ constexpr int side = 8; // blocks of the film, across and down
 constexpr double step_pixels = 1.5;
 constexpr std::size_t most_points = 800; // of a block
 
-/// The two vectors (mm) that a lattice repeats by, and places as multiples of them.
+/// The two vectors (mm) of a lattice's cell; converts between film places and their multiples.
 struct Cell {
     Vec2 first, second;
     bool lenticular;
@@ -39,11 +39,11 @@ struct Cell {
     Vec2 to_film(Vec2 place) const { return place.x * first + (lenticular ? 0 : place.y) * second; }
 };
 
-/// The edge in one block of the film when the borders are shifted to each place of a cell.
+/// The edge strength in a block of the film, for each shift of the borders within a lattice cell.
 struct Block {
     Vec2 centre; ///< mm
     std::vector<Vec2> points;
-    std::vector<float> edge; ///< rows of `columns` places
+    std::vector<float> edge; ///< Size::rows rows of Size::columns shifts
 };
 
 struct Size {
@@ -112,7 +112,7 @@ ScanMap with(const ScanMap& base, const Change& change)
             base.rotation + change[2]};
 }
 
-/// How many steps either way, so that a step moves the farthest border by step_pixels.
+/// Number of steps either way such that a step moves the farthest border by step_pixels at most.
 int steps(double range, double farthest_pixels)
 {
     return int(std::ceil(range * farthest_pixels / step_pixels));
@@ -165,7 +165,7 @@ public:
     }
 
 private:
-    /// Adds the two places of the cell with the most edge, under one change.
+    /// Adds the maps of the two shifts within the cell with the strongest edges, for one change.
     void add_peaks(const Change& change, std::vector<ScoredMap>& found) const
     {
         const ScanMap map = with(base_, change);
@@ -212,7 +212,7 @@ private:
                 found.push_back({moved, (sums[k] - mean) / count_});
             }
     }
-    /// From -1/2 to 1/2.
+    /// The shift as a fraction of the cell, from -1/2 to 1/2.
     static double nearest(int k, int count)
     {
         const double place = double(k) / count;

@@ -17,15 +17,15 @@
 namespace integral {
 namespace {
 
-constexpr double most_pixels_a_lens = 32; // of the reduced scan: more tell nothing more of borders
+constexpr double most_pixels_a_lens = 32; // of the reduced scan; more add nothing
 constexpr double least_pixels_a_lens = 4;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int spectrum_side = 2048;
 constexpr int most_borders = 300000;
-constexpr double least_apart = 0.1;          // lenses: maps that are nearer are the same lattice
+constexpr double least_apart = 0.1;          // lenses; closer maps are the same lattice
 constexpr std::size_t most_of_a_fit = 15000; // borders, before the last stages
 
-/// The distance (mm) of the farthest point from `centre`.
+/// Distance (mm) of the farthest point from `centre`.
 double farthest_of(const std::vector<Vec2>& points, Vec2 centre)
 {
     double farthest = 0;
@@ -34,7 +34,7 @@ double farthest_of(const std::vector<Vec2>& points, Vec2 centre)
     return farthest;
 }
 
-/// The points within `radius` (mm) of `centre`; of more than `most`, that many, evenly picked.
+/// The points within `radius` (mm) of `centre`; at most `most`, evenly picked.
 std::vector<Vec2> those_within(const std::vector<Vec2>& points, Vec2 centre, double radius,
                                std::size_t most)
 {
@@ -57,8 +57,8 @@ MapChange change_between(const ScanMap& from, const ScanMap& to)
             to.rotation - from.rotation, to.middle.x - from.middle.x, to.middle.y - from.middle.y};
 }
 
-/// Whether a fit has stayed near the range of the search, with scales across and down that differ
-/// by no more than a scanner's do.
+/// Whether a fit has stayed near the range of the search, and its scales across and down differ by
+/// no more than a scanner's do.
 bool is_in_range(const LatticeSearch& search, const ScanMap& about, const ScanMap& map)
 {
     constexpr double margin = 0.01, most_difference = 0.03;
@@ -69,8 +69,8 @@ bool is_in_range(const LatticeSearch& search, const ScanMap& about, const ScanMa
            std::fabs(map.rotation - about.rotation) < search.turn_range + margin;
 }
 
-/// How far the edge on the borders under the best map is above the mean for random maps in the
-/// range of the search, in standard deviations of those.
+/// Edge strength on the borders under the best map, less its mean under random maps in the range of
+/// the search, in standard deviations of the strengths under the random maps.
 double significance_of(const Plane& edges, const std::vector<Vec2>& points,
                        const LatticeSearch& search, const ScanMap& about, const ScanMap& best)
 {
@@ -93,8 +93,8 @@ double significance_of(const Plane& edges, const std::vector<Vec2>& points,
     return variance > 0 ? (edge_on_borders(edges, points, best) - mean) / std::sqrt(variance) : 0;
 }
 
-/// How far from the sheet's centre the film that the scan holds reaches (mm, along x and y), by any
-/// of the candidates, and a lens more.
+/// Half width and half height (mm) of the film around the sheet's centre that holds the scan under
+/// every candidate, with a margin of one lens.
 Vec2 half_of_film(const std::vector<LatticeCandidate>& candidates, const Plane& edges, double pitch)
 {
     Vec2 half{0, 0};
@@ -135,15 +135,15 @@ std::vector<Vec2> borders_in_scan(const LatticeSearch& search,
     return points;
 }
 
-/// The scan's edges, blurred less and less for the stages of the fit.
+/// The scan's edges with decreasing blur, for the stages of the fit.
 struct BlurredEdges {
     Plane middling, fine;
     Plane ridges; ///< for the last stage
 };
 
-/// `pixels`: of a lens. `to_the_pixel`: the borders are known to the pixel, so that the fit may
-/// look closely. Borders from the optics alone lie beside the print's pixels, and with less blur
-/// the fit would find those pixels instead.
+/// `pixels`: a lens pitch in pixels. `to_the_pixel`: the borders are known to the pixel, so less
+/// blur will do. Borders from the optics alone differ from the edges of the print's pixels; with
+/// less blur, the fit would follow these edges of pixels instead.
 BlurredEdges blurred_edges(const Plane& edges, double pixels, bool to_the_pixel, int threads)
 {
     BlurredEdges all;
@@ -151,14 +151,15 @@ BlurredEdges blurred_edges(const Plane& edges, double pixels, bool to_the_pixel,
                                                : std::max(0.7, 0.025 * pixels);
     all.middling = blurred(edges, std::max(0.9, pixels / 12), threads);
     all.fine = blurred(edges, fine_deviation, threads);
-    // The picture often shows more edge on one side of a border than on the other: a slope, which
-    // moves the maximum. Subtracting the surroundings removes the slope and leaves the ridge.
+    // The picture often has stronger edges on one side of a border than on the other. This slope
+    // moves the maximum. Subtracting the neighbourhood's mean removes the slope and leaves the
+    // ridge.
     all.ridges = difference(all.fine, blurred(edges, 1.6 * fine_deviation, threads));
     return all;
 }
 
-/// Fits a map that holds within `first_radius` (mm) of `centre` to the borders of larger and larger
-/// circles up to `farthest`.
+/// Fits a map to the borders in growing circles around `centre`: from `first_radius` (mm), within
+/// which `map` must be right, to the radius `farthest`.
 ScanMap fit_outwards(const BlurredEdges& edges, const std::vector<Vec2>& points,
                      const LensSheet& sheet, ScanMap map, Vec2 centre, double first_radius,
                      double farthest)
@@ -172,8 +173,8 @@ ScanMap fit_outwards(const BlurredEdges& edges, const std::vector<Vec2>& points,
     }
 }
 
-/// Adds the maps around a candidate that have the most edge on the borders of the whole scan, each
-/// climbed to its maximum, if they are in range.
+/// Adds the maps around a candidate with the strongest edges on the borders of the whole scan. Each
+/// is fitted to its maximum, and left out if it is out of range.
 void add_fits(const BlurredEdges& planes, const std::vector<Vec2>& points,
               const LatticeSearch& search, const ScanMap& about, const LatticeCandidate& candidate,
               int spectrum_extent, int threads, std::vector<ScoredMap>& fitted)
@@ -210,8 +211,8 @@ void add_fits(const BlurredEdges& planes, const std::vector<Vec2>& points,
     }
 }
 
-/// The strongest fit, of those sorted by their edge, that is not the first one again; nothing if
-/// there is none.
+/// The strongest other lattice among fits sorted by edge: the first that differs from fitted[0];
+/// nothing if there is none.
 std::optional<ScoredMap> best_rival(const std::vector<ScoredMap>& fitted,
                                     const LatticeSearch& search, const Plane& edges)
 {
@@ -222,9 +223,9 @@ std::optional<ScoredMap> best_rival(const std::vector<ScoredMap>& fitted,
     return std::nullopt;
 }
 
-/// What rivals a map whose scales differ by more than a scanner's do: a map with one scale. Along
-/// one axis the first may lie on what the picture itself repeats, at another pitch than the
-/// lenses'.
+/// For a map whose scales differ by more than a scanner's do: its rival, the best map with one
+/// scale for both axes. Nothing for any other map. Along one axis, a map with two scales may lie on
+/// a pattern of the picture that repeats at another pitch than the lenses.
 std::optional<ScoredMap> rival_of_one_scale(const BlurredEdges& planes,
                                             const std::vector<Vec2>& points,
                                             const LatticeSearch& search, const ScanMap& about,
@@ -251,9 +252,9 @@ std::optional<ScoredMap> rival_of_one_scale(const BlurredEdges& planes,
 
 /// The last stages of a fit.
 struct CloseFit {
-    ScanMap map;             ///< on the ridges
-    ScanMap pulled;          ///< before: on the edges, which the picture's own pull aside
-    double significance = 0; ///< of the fit on the edges
+    ScanMap map;             ///< fitted to the ridges
+    ScanMap pulled;          ///< fitted to the edges before; displaced by the picture's edges
+    double significance = 0; ///< of the fit to the edges
 };
 
 CloseFit fit_closely(const BlurredEdges& edges, const std::vector<Vec2>& points,
@@ -270,20 +271,20 @@ CloseFit fit_closely(const BlurredEdges& edges, const std::vector<Vec2>& points,
     for (int round = 0; round < 2; ++round)
         fit.map = fit_borders(edges.ridges, shown(fit.map), search.sheet, fit.map);
     if (!is_in_range(search, about, fit.map))
-        fit.map = fit.pulled; // the ridges are too weak to hold it
+        fit.map = fit.pulled; // the ridges are too weak for a fit
     return fit;
 }
 
-/// What is said of a fit whose map is in range: places and errors in pixels of the whole scan.
+/// The result for a fit whose map is in range: places and errors in pixels of the whole scan.
 FoundLattice found_lattice(const BlurredEdges& edges, const std::vector<Vec2>& points,
                            const LatticeSearch& search, const CloseFit& fit, int reduction)
 {
     const std::vector<Vec2> shown = where_borders_show(edges.fine, points, search.sheet, fit.map);
     const FitErrors errors = errors_of_fit(edges.ridges, shown, search.sheet, fit.map);
-    // How far the picture's own edges and the film's pixels pull the fit shows where it goes with
-    // its surroundings left in, and with more blur; half of that counts, as most of it is removed
-    // from the fit on the ridges. By chance it may be nothing along one axis: the greater one
-    // counts for both.
+    // Two other fits show how far the picture's own edges and the film's pixels pull the fit: the
+    // fit to the edges before the neighbourhood was subtracted, and a fit with more blur. Half of
+    // the second pull counts, as the fit to the ridges is free of most of it. By chance the pull
+    // may be 0 along one axis, so the greater of the two axes' pulls counts for both.
     constexpr double left_of_blur = 0.5;
     const MapChange first = change_between(fit.pulled, fit.map),
                     second = change_between(
@@ -317,7 +318,8 @@ FoundLattice found_lattice(const BlurredEdges& edges, const std::vector<Vec2>& p
     return result;
 }
 
-/// By how much the scan is reduced. Throws std::invalid_argument if it is too coarse or too small.
+/// Factor by which the scan is reduced. Throws std::invalid_argument if the scan is too coarse or
+/// too small.
 int reduction_for(const Image& scan, const LatticeSearch& search)
 {
     const double pixels = search.sheet.pitch *
@@ -342,10 +344,10 @@ std::optional<FoundLattice> find_lattice(const Image& scan, const LatticeSearch&
     const int reduction = reduction_for(scan, search);
     const double pixels = pitch * std::min(search.about.scale.x, search.about.scale.y) / reduction;
 
-    // From here on in pixels of the reduced scan.
+    // From here on, all is in pixels of the reduced scan.
     const ScanMap about = in_larger_pixels(search.about, reduction);
     std::optional<Vec2> across;
-    // Borders that are known to the pixel need no such help, and lose some of their edge by it.
+    // Borders known to the pixel do not need this restriction, which would weaken their edges.
     if (search.sheet.arrangement == Arrangement::lenticular && !search.frame) {
         const MapChange direction = free_directions(search.sheet, about).back();
         across = Vec2{direction[3], direction[4]};

@@ -9,7 +9,7 @@
 namespace integral {
 namespace {
 
-/// The lens of a film point; nothing where it is dark.
+/// The lens of a film point; nothing if the point is dark.
 using Owner = std::optional<LensIndex>;
 
 class Borders {
@@ -22,8 +22,8 @@ public:
         return mapped.ray ? Owner(mapped.ray->lens) : std::nullopt;
     }
 
-    /// Adds the borders along a line of `count` points from `start`: exactly, or midway between two
-    /// points.
+    /// Adds the borders along a line of `count` points from `start`: exact places if `exactly`,
+    /// else the middles between two points.
     void along(Vec2 start, Vec2 step, int count, bool exactly, std::vector<Vec2>& found) const
     {
         Owner before = owner(start);
@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    /// How far along `step` the owner of `from` stays the same, if it changes once.
+    /// Fraction of `step` up to which the owner of `from` stays the same, if it changes once.
     double last_of(Vec2 from, Vec2 step, const Owner& same) const
     {
         double inside = 0, outside = 1;
@@ -78,7 +78,7 @@ struct Crossing {
     }
 };
 
-/// The borders that `count` lines cross, each found by trace(line, points).
+/// Adds the borders that `count` lines cross, as found by trace(line, points).
 template <class Trace> void trace_lines(int count, int threads, Trace trace, std::vector<Vec2>& all)
 {
     std::vector<std::vector<Vec2>> found(count);
@@ -87,7 +87,7 @@ template <class Trace> void trace_lines(int count, int threads, Trace trace, std
         all.insert(all.end(), line.begin(), line.end());
 }
 
-/// The distance of lines (mm) that cross borders about `most` times; from one step to four pitches.
+/// Spacing (mm) of lines that cross borders about `most` times; from `step` to four pitches.
 double line_spacing(const LensSheet& sheet, Vec2 half, double step, int most)
 {
     const double crossings = 4 * half.x * half.y / sheet.pitch *
@@ -126,7 +126,7 @@ std::vector<Vec2> lens_borders_of_pixels(const SheetOptics& optics, LensMapping 
 {
     Crossing crossing(optics.sheet());
     if (optics.sheet().slant != 0)
-        crossing.rows = crossing.columns = true; // the steps of the staircases, too
+        crossing.rows = crossing.columns = true; // slanted borders have steps both ways
     const Vec2 pitch = film.pixel_pitch;
     const double spacing = line_spacing(optics.sheet(),
                                         {0.5 * film.width * pitch.x, 0.5 * film.height * pitch.y},

@@ -10,8 +10,8 @@
 namespace integral {
 namespace {
 
-/// A part of the film, fitted by itself: how far (pixels) it would move the map's middle, and how
-/// sharply its edge falls beside there.
+/// Fit of one part of the film: the distance (pixels) by which it moves the map's middle, and the
+/// curvature of the edge strength at that maximum.
 struct PartFit {
     int part;   ///< row * parts_side + column
     Vec2 point; ///< its centre, mm
@@ -21,7 +21,7 @@ struct PartFit {
 
 constexpr int parts_side = 8;
 
-/// Sets a part's negative curvature to the nearest that has no negative direction.
+/// Sets a part's negative curvature to the nearest positive semidefinite one.
 void set_curvature(double xx, double xy, double yy, PartFit& fit)
 {
     const double middle = 0.5 * (xx + yy), half = std::hypot(0.5 * (xx - yy), xy);
@@ -33,7 +33,7 @@ void set_curvature(double xx, double xy, double yy, PartFit& fit)
     fit.yy = first * s * s + second * c * c;
 }
 
-/// The parts that have borders enough, each moved from the map to its own maximum by no more than
+/// The parts with enough borders, each moved from the map to its own maximum by less than
 /// `farthest` pixels.
 std::vector<PartFit> fit_parts(const Plane& edges, const std::vector<Vec2>& points,
                                const LensSheet& sheet, const ScanMap& map, double farthest)
@@ -72,7 +72,7 @@ std::vector<PartFit> fit_parts(const Plane& edges, const std::vector<Vec2>& poin
     return fits;
 }
 
-/// No part counts more than three times the median part.
+/// Limits each part's weight to three times the median part's.
 void limit_weights(std::vector<PartFit>& fits)
 {
     std::vector<double> sizes;
@@ -90,7 +90,8 @@ void limit_weights(std::vector<PartFit>& fits)
     }
 }
 
-/// What a part's distance from a common change of the map contributes to the sums of least squares.
+/// A part's contribution to the gradient of the least squares, given `rest`, the part's residual
+/// from the common change of the map.
 MapChange part_gradient(const PartFit& fit, Vec2 rest, const std::array<Vec2, 5>& motion,
                         std::size_t n)
 {
@@ -101,7 +102,7 @@ MapChange part_gradient(const PartFit& fit, Vec2 rest, const std::array<Vec2, 5>
     return gradient;
 }
 
-/// Groups of parts whose errors may be common: each part, each row, each column.
+/// Index of the group of parts whose errors may be common. `kind`: 0 each part, 1 rows, 2 columns.
 int group_of(const PartFit& fit, int kind)
 {
     return kind == 0 ? fit.part : kind == 1 ? fit.part / parts_side : fit.part % parts_side;
@@ -122,7 +123,7 @@ FitErrors errors_of_fit(const Plane& edges, const std::vector<Vec2>& points, con
     for (const Vec2 point : points)
         errors.borders += local(edges, scan_from_film(map, point)).has_value();
 
-    // The common change that the parts' own fits ask for, by weighted least squares.
+    // The common change of the map, by weighted least squares over the parts' own fits.
     const double c = std::cos(map.rotation), s = std::sin(map.rotation);
     Matrix normal{};
     MapChange right{};
@@ -154,7 +155,7 @@ FitErrors errors_of_fit(const Plane& edges, const std::vector<Vec2>& points, con
                 group[k] += gradient[k];
         }
         Matrix covariance{};
-        const double fitted = kind == 0 ? double(n) : 2; // parameters that such groups decide
+        const double fitted = kind == 0 ? double(n) : 2; // parameters that groups of this kind fit
         if (groups.size() <= fitted + 1)
             continue;
         for (const auto& [index, gradient] : groups) {
@@ -183,8 +184,8 @@ FitErrors errors_of_fit(const Plane& edges, const std::vector<Vec2>& points, con
 
 namespace {
 
-/// The place of the cell, as a shift in scan pixels, at which one part has the most edge; nothing
-/// if it shows no more than chance would.
+/// The shift within a cell (scan pixels) at which one part has the strongest edges; nothing if the
+/// maximum is within 2 standard deviations of the mean.
 std::optional<Vec2> strongest_shift(const Plane& edges, const std::vector<Vec2>& points,
                                     const LensSheet& sheet, const ScanMap& map)
 {
@@ -229,7 +230,7 @@ std::optional<Vec2> strongest_shift(const Plane& edges, const std::vector<Vec2>&
 LeftOutParts check_left_out_parts(const Plane& edges, const std::vector<Vec2>& points,
                                   const LensSheet& sheet, const ScanMap& map)
 {
-    constexpr double lenses_off = 1.0 / 7; // a part that agrees is nearer than that
+    constexpr double lenses_off = 1.0 / 7; // parts that agree are closer
     const Squares square(edges, points, map, parts_side);
     const double pixels = sheet.pitch * std::max(map.scale.x, map.scale.y);
     LeftOutParts result;

@@ -14,7 +14,7 @@ constexpr int lobes = 3;
 double sinc(double x) { return x == 0 ? 1 : std::sin(pi * x) / (pi * x); }
 double lanczos(double x) { return std::fabs(x) < lobes ? sinc(x) * sinc(x / lobes) : 0; }
 
-/// The weights of the pixels around a place along one axis, those inside [0, count) alone.
+/// Weights of the pixels around a place along one axis; only pixels inside [0, count).
 struct Taps {
     int first = 0;
     std::vector<float> weights;
@@ -51,14 +51,14 @@ Film film_of_scan(const ScanMap& map, int scan_width, int scan_height, Vec2 pixe
     return film;
 }
 
-Film film_to_make(const Film& wanted, bool of_that_size, const ScanMap& map, const Image& scan)
+Film film_to_make(const Film& requested, bool of_that_size, const ScanMap& map, const Image& scan)
 {
     constexpr int largest_frame_side = 65500; // pixels
-    const Film held = film_of_scan(map, scan.width, scan.height, wanted.pixel_pitch, wanted);
-    Film film = wanted;
+    const Film held = film_of_scan(map, scan.width, scan.height, requested.pixel_pitch, requested);
+    Film film = requested;
     if (!of_that_size) {
-        film.width = wanted.width > 0 ? std::min(wanted.width, held.width) : held.width;
-        film.height = wanted.height > 0 ? std::min(wanted.height, held.height) : held.height;
+        film.width = requested.width > 0 ? std::min(requested.width, held.width) : held.width;
+        film.height = requested.height > 0 ? std::min(requested.height, held.height) : held.height;
     }
     if (std::max(film.width, film.height) > largest_frame_side)
         throw std::invalid_argument("a frame of " + std::to_string(film.width) + "x" +
@@ -73,7 +73,7 @@ std::optional<Image> rectified(const Image& scan, const ScanMap& map, const Film
     Image frame = make_image<std::uint16_t>(film.width, film.height, 3, Encoding{});
     const LinearReader pixel(scan);
     const double c = std::fabs(std::cos(map.rotation)), s = std::fabs(std::sin(map.rotation));
-    // Scan pixels a film pixel along the scan's axes.
+    // Scan pixels per film pixel, along the scan's axes.
     const double across = std::max(
         1.0, map.scale.x * (c * film.pixel_pitch.x + s * film.pixel_pitch.y) / (c + s));
     const double down = std::max(

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What is said of a scan that was rectified: the lattice that was found, and what was done to the
-// light.
+// Reports on a rectified scan: the lattice found, and the corrections of the light.
 #ifndef INTEGRAL_ANALYSIS_RECTIFY_REPORT_H
 #define INTEGRAL_ANALYSIS_RECTIFY_REPORT_H
 
 #include "integral/analysis/lattice_search.h"
-#include "integral/lightfield/image.h"
+#include "integral/frame/image.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,15 +16,15 @@ namespace integral {
 class LightReport {
 public:
     /// The light was evened by a flat-field scan, a fitted surface, or both; `ratio` is the
-    /// greatest over the least light before.
+    /// greatest light over the least, before that.
     void add_evened(bool by_flat, bool by_surface, double ratio);
-    /// The colours were multiplied by `gains`, found by a white patch or else by the grey world.
+    /// The colours were multiplied by `gains`, from a white patch or else from the grey world.
     void add_balanced(bool by_white_patch, Colour gains);
-    /// Micro-images were flattened whose average fell to `least` of its brightest place.
+    /// The micro-images were flattened. Light in their average fell to `least` of its maximum.
     void add_flattened(double least);
 
     const nlohmann::ordered_json& json() const { return json_; }
-    const std::string& text() const { return text_; } ///< empty if there were none
+    const std::string& text() const { return text_; } ///< empty without corrections
 
 private:
     void add_text(const std::string& what);
@@ -33,11 +32,11 @@ private:
     std::string text_;
 };
 
-/// The figures for programs. `film` is that of the new frame.
+/// The figures as JSON. `film` is the new frame's.
 nlohmann::ordered_json rectify_json(const FoundLattice& found, const LatticeSearch& search,
                                     const Film& film, const LightReport& light);
 
-/// The figures for people: some lines.
+/// The figures as text, in several lines.
 std::string rectify_text(const FoundLattice& found, const LatticeSearch& search, const Film& film,
                          const LightReport& light);
 

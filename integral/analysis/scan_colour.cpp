@@ -12,14 +12,14 @@ namespace integral {
 namespace {
 
 constexpr int grid_side = 64;
-constexpr float least_light = 1e-4f; // a darker square tells nothing of its light
+constexpr float least_light = 1e-4f; // a darker square gives no estimate of its light
 constexpr float burnt_out = 0.98f;
 
 Colour times(Colour a, Colour b) { return {a.r * b.r, a.g * b.g, a.b * b.b, a.a}; }
 
 std::array<double, 6> terms(double x, double y) { return {1, x, y, x * x, x * y, y * y}; }
 
-/// Solves the normal equations of weighted least squares; nothing where they are singular.
+/// Solves the normal equations of weighted least squares; nothing if they are singular.
 std::optional<std::array<double, 6>> solve_surface(double a[6][7])
 {
     for (int k = 0; k < 6; ++k) {
@@ -49,7 +49,7 @@ double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
-/// The logarithm of the light in one square of a scan, x and y from -1 to 1 over the scan.
+/// Logarithm of the light in one square of a scan; x and y from -1 to 1 over the scan.
 struct SurfaceSample {
     double x, y, value, weight;
 };
@@ -68,7 +68,7 @@ std::optional<std::array<double, 6>> fitted_surface(const std::vector<SurfaceSam
     return solve_surface(a);
 }
 
-/// Weighs samples by Tukey's biweight of what the surface leaves of them.
+/// Weights the samples by Tukey's biweight of their residuals from the surface.
 void weigh_again(std::vector<SurfaceSample>& samples, const std::array<double, 6>& surface)
 {
     std::vector<double> residuals, sizes;
@@ -263,7 +263,7 @@ Colour ScanLight::gain(Vec2 pixel) const
 
 namespace {
 
-/// The average micro-image: light by the place in the cell.
+/// The average micro-image: light as a function of the place in the cell.
 class AverageMicroImage {
 public:
     AverageMicroImage(const Film& film, const SheetOptics& optics, LensMapping mapping)
@@ -277,7 +277,7 @@ public:
     {
     }
 
-    /// Where in its micro-image a pixel is, 0 to 1 each way; nothing where it is dark.
+    /// Place of a pixel in its micro-image, 0 to 1 each way; nothing if the pixel is dark.
     std::optional<Vec2> place(int x, int y) const
     {
         const Lattice& lattice = optics_.lattice();
@@ -295,7 +295,8 @@ public:
         return Vec2{std::clamp(u, 0.0, 1.0), lenticular_ ? 0.5 : std::clamp(v, 0.0, 1.0)};
     }
 
-    /// Averages a frame's light. Returns the least share of the brightest; nothing if it is black.
+    /// Averages a frame's light. Returns the least light relative to the brightest; nothing if the
+    /// frame is black.
     std::optional<double> measure(const LinearReader& pixel, int threads)
     {
         std::vector<double> counts = shares_;
@@ -331,7 +332,7 @@ public:
         return least;
     }
 
-    /// The light at a place against the brightest, interpolated; 1/8 to 1.
+    /// The light at a place relative to the brightest, interpolated; 1/8 to 1.
     double share(Vec2 at) const
     {
         const double u = std::clamp(at.x * bins - 0.5, 0.0, bins - 1.0),

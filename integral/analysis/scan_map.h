@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Where a print lies in its scan.
+// Maps between a print and its scan.
 #ifndef INTEGRAL_ANALYSIS_SCAN_MAP_H
 #define INTEGRAL_ANALYSIS_SCAN_MAP_H
 
@@ -7,11 +7,11 @@
 
 namespace integral {
 
-/// Where a film lies in a scan and how it is turned. Scan pixels are continuous: the origin is the
+/// Place and rotation of a film in a scan. Scan pixels are continuous: the origin is the
 /// top left corner of the top left pixel, and y points downwards.
 struct ScanMap {
     Vec2 middle;         ///< scan pixel of the sheet's centre
-    Vec2 scale{1, 1};    ///< scan pixels a mm, along the scan's own x and y; > 0
+    Vec2 scale{1, 1};    ///< scan pixels per mm, along the scan's own x and y; > 0
     double rotation = 0; ///< radians by which the print is turned, anticlockwise as the viewer sees
                          ///< it
 };

@@ -18,8 +18,8 @@ struct Free {
 
 using Values = std::unique_ptr<double[], Free>;
 
-/// The middle of a plane, width x height, less its mean and under a Hann window, in the first
-/// corner of a raster of zeros of `size` rows of `padded` numbers.
+/// The middle of a plane, width x height, less its mean and under a Hann window, in the top left
+/// corner of a zero-filled raster of `size` rows of `padded` numbers.
 Values windowed(const Plane& plane, int width, int height, int size, int padded)
 {
     Values values(fftw_alloc_real(std::size_t(size) * padded));
@@ -42,7 +42,7 @@ Values windowed(const Plane& plane, int width, int height, int size, int padded)
     return values;
 }
 
-/// Transforms size x size real numbers in place, as FFTW lays them out.
+/// Transforms size x size real numbers in place, in FFTW's layout.
 void transform(double* values, int size)
 {
     const fftw_plan plan = fftw_plan_dft_r2c_2d(
@@ -53,7 +53,7 @@ void transform(double* values, int size)
     fftw_destroy_plan(plan);
 }
 
-/// The mean over each ring of frequencies and its neighbours.
+/// Mean over each ring of frequencies and its neighbours.
 std::vector<double> smoothed(const std::vector<double>& sums, const std::vector<double>& counts)
 {
     constexpr int reach = 4;
@@ -76,7 +76,7 @@ Spectrum::Spectrum(const Plane& plane, int most) : size_(2), extent_(0)
 {
     const int width = std::min(plane.width, most), height = std::min(plane.height, most);
     extent_ = std::min(width, height);
-    while (size_ < 2 * std::max(width, height)) // steps of half of what the window tells apart
+    while (size_ < 2 * std::max(width, height)) // bins of half the window's resolution
         size_ *= 2;
     const int columns = size_ / 2 + 1, padded = 2 * columns;
     const Values values = windowed(plane, width, height, size_, padded);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The power spectrum of a raster of numbers, by FFTW.
+// Computes the power spectrum of a raster of numbers, by FFTW.
 #ifndef INTEGRAL_ANALYSIS_SPECTRUM_H
 #define INTEGRAL_ANALYSIS_SPECTRUM_H
 
@@ -8,16 +8,16 @@
 
 namespace integral {
 
-/// The power at each frequency, divided by the mean power of frequencies of about the same size: 1
-/// where there is nothing but noise.
+/// Power at each frequency, divided by the mean power at frequencies of about the same magnitude;
+/// noise alone has about 1.
 class Spectrum {
 public:
-    /// Of at most `most` pixels each way in the plane's middle, less their mean, under a Hann
+    /// Takes at most `most` pixels each way from the plane's middle, less their mean, under a Hann
     /// window.
     Spectrum(const Plane& plane, int most);
 
-    /// At a frequency in cycles a pixel along x and y (downwards), interpolated; 0 beyond half a
-    /// cycle a pixel.
+    /// Power at a frequency in cycles per pixel along x and y (downwards), interpolated; 0 beyond
+    /// half a cycle per pixel.
     double power(Vec2 frequency) const;
 
     int extent() const { return extent_; } ///< pixels of the shorter side of the window

@@ -18,7 +18,8 @@ std::string described(const ScanMap& map)
            with_decimals(map.middle.x, 1) + "," + with_decimals(map.middle.y, 1);
 }
 
-/// Throws InputError if the scan shows another lattice as well, or not everywhere the same.
+/// Throws InputError if a second lattice fits as well, or if the scan's parts are too few or
+/// disagree.
 void check_agreement(const std::string& input, const LatticeSearch& search,
                      const FoundLattice& found)
 {

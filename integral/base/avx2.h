@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Whether the processor has AVX2. Where INTEGRAL_HAS_AVX2 is not defined, none has.
+// Detects at run time whether the processor has AVX2. AVX2 is used only if INTEGRAL_HAS_AVX2 is
+// defined.
 #ifndef INTEGRAL_BASE_AVX2_H
 #define INTEGRAL_BASE_AVX2_H
 

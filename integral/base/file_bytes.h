@@ -4,8 +4,8 @@
 #ifndef INTEGRAL_BASE_FILE_BYTES_H
 #define INTEGRAL_BASE_FILE_BYTES_H
 
+#include "integral/base/atomic_file.h"
 #include "integral/base/message_text.h"
-#include "integral/base/unfinished_file.h"
 
 #include <cstdint>
 #include <optional>
@@ -87,7 +87,7 @@ private:
     [[noreturn]] void fail(int error);
 
     std::string path_;                         ///< as given
-    std::optional<UnfinishedFile> unfinished_; ///< absent if the bytes are kept in memory
+    std::optional<AtomicFile> unfinished_;     ///< absent if the bytes are kept in memory
     int file_ = -1;                            ///< descriptor of the temporary file
     int error_ = 0;                            ///< errno of the first write that failed
     ByteString kept_;

@@ -7,8 +7,8 @@
 
 namespace integral {
 
-/// Makes a folder and those above it, where they are missing. Throws OutputError with the reason
-/// where it cannot be made, or where no file can be written to it.
+/// Makes a folder and its missing parent folders. Throws OutputError with the reason if the folder
+/// cannot be made or no file can be written to it.
 void make_folder(const std::string& path);
 
 } // namespace integral

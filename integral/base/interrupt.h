@@ -7,13 +7,13 @@
 
 namespace integral {
 
-/// Thrown by stop_if_interrupted() after such a signal.
+/// Thrown by stop_if_interrupted() after one of these signals.
 struct Interrupted : std::runtime_error {
     Interrupted() : std::runtime_error("interrupted") {}
 };
 
 /// Makes the first SIGINT, SIGTERM or SIGHUP set a flag instead of ending the program; a second
-/// signal of the same kind ends it. Signals that are ignored stay ignored.
+/// signal of the same kind ends the program. Signals that are ignored stay ignored.
 void catch_interrupts();
 
 /// Whether the flag is set.

@@ -21,8 +21,8 @@ constexpr std::size_t most_json_values = 1000000; ///< including objects and lis
 constexpr std::size_t most_json_fields = 100000;  ///< in one object
 constexpr std::size_t longest_json_name = 4096;   ///< bytes in a field's name, which may be a path
 
-/// Thrown where a text is not JSON, exceeds a limit or has a field twice in one object. The message
-/// is "line LINE: REASON".
+/// Thrown if a text is not JSON, exceeds a limit or has a field twice in one object. The message is
+/// "line LINE: REASON".
 struct JsonError : std::invalid_argument {
     JsonError(int where, const std::string& why)
         : std::invalid_argument("line " + std::to_string(where) + ": " + why),

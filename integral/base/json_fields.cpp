@@ -9,7 +9,7 @@
 
 namespace integral {
 
-void refuse(const std::string& field, const std::string& what)
+void throw_field_error(const std::string& field, const std::string& what)
 {
     throw std::invalid_argument(field + " " + what);
 }
@@ -17,7 +17,7 @@ void refuse(const std::string& field, const std::string& what)
 const Json& JsonObject::at(const char* field) const
 {
     if (!has(field))
-        refuse(path_of(field), "is missing");
+        throw_field_error(path_of(field), "is missing");
     return json.at(field);
 }
 
@@ -25,11 +25,11 @@ JsonObject object_at(const JsonObject& parent, const char* field)
 {
     const Json& json = parent.at(field);
     if (!json.is_object())
-        refuse(parent.path_of(field), "must be an object");
+        throw_field_error(parent.path_of(field), "must be an object");
     return {json, parent.path_of(field)};
 }
 
-void refuse_others(const JsonObject& object, std::initializer_list<const char*> legal)
+void throw_on_unknown_fields(const JsonObject& object, std::initializer_list<const char*> legal)
 {
     for (const auto& field : object.json.items()) {
         if (std::find(legal.begin(), legal.end(), field.key()) != legal.end())
@@ -40,19 +40,19 @@ void refuse_others(const JsonObject& object, std::initializer_list<const char*> 
                       : name == *(legal.end() - 1) ? " and "
                                                    : ", ") +
                      std::string(name);
-        refuse(object.path_of(excerpt(field.key()).c_str()),
-               "is not a field of it: those are " + names);
+        throw_field_error(object.path_of(excerpt(field.key()).c_str()),
+                          "is not a field of it: those are " + names);
     }
 }
 
 double number_in(const Json& json, const std::string& path, double least, double greatest)
 {
     if (!json.is_number())
-        refuse(path, "must be a number");
+        throw_field_error(path, "must be a number");
     const double value = json.get<double>();
     if (!(value >= least && value <= greatest))
-        refuse(path, "is " + with_digits(value, 6) + ", and must be within " +
-                         with_digits(least, 6) + " and " + with_digits(greatest, 6));
+        throw_field_error(path, "is " + with_digits(value, 6) + ", and must be within " +
+                                    with_digits(least, 6) + " and " + with_digits(greatest, 6));
     return value;
 }
 
@@ -65,7 +65,7 @@ std::vector<double> numbers_in(const Json& json, const std::string& path, std::s
                                double least, double greatest)
 {
     if (!json.is_array() || json.size() != count)
-        refuse(path, "must be a list of " + std::to_string(count) + " numbers");
+        throw_field_error(path, "must be a list of " + std::to_string(count) + " numbers");
     std::vector<double> values;
     for (std::size_t i = 0; i < count; ++i)
         values.push_back(number_in(json[i], path + "[" + std::to_string(i) + "]", least, greatest));
@@ -81,7 +81,7 @@ std::vector<double> numbers_at(const JsonObject& object, const char* field, std:
 std::string string_at(const JsonObject& object, const char* field)
 {
     if (!object.at(field).is_string())
-        refuse(object.path_of(field), "must be a string");
+        throw_field_error(object.path_of(field), "must be a string");
     return object.at(field).get<std::string>();
 }
 

@@ -2,8 +2,8 @@
 // Reads fields of JSON documents, with error messages that name the field. To be included only by
 // files that read or write JSON.
 //
-// Every function here throws std::invalid_argument with the message "FIELD what is wrong with it",
-// where FIELD is the field's path from the document's root.
+// On failure, every function here throws std::invalid_argument with the message "FIELD what is
+// wrong with it", where FIELD is the field's path from the document's root.
 #ifndef INTEGRAL_BASE_JSON_FIELDS_H
 #define INTEGRAL_BASE_JSON_FIELDS_H
 
@@ -20,7 +20,7 @@ namespace integral {
 /// overflow a double.
 constexpr double largest_figure = 1e100;
 
-[[noreturn]] void refuse(const std::string& field, const std::string& what);
+[[noreturn]] void throw_field_error(const std::string& field, const std::string& what);
 
 /// An object inside a document, and its path from the root, for messages.
 struct JsonObject {
@@ -38,7 +38,7 @@ struct JsonObject {
 JsonObject object_at(const JsonObject& parent, const char* field);
 
 /// Throws if the object has a field that is not in `legal`.
-void refuse_others(const JsonObject& object, std::initializer_list<const char*> legal);
+void throw_on_unknown_fields(const JsonObject& object, std::initializer_list<const char*> legal);
 
 /// A number in [least, greatest].
 double number_in(const Json& json, const std::string& path, double least, double greatest);
@@ -57,7 +57,7 @@ template <class Whole>
 Whole whole_at(const JsonObject& object, const char* field, Whole least, Whole greatest)
 {
     if (!object.at(field).is_number_integer())
-        refuse(object.path_of(field), "must be a whole number");
+        throw_field_error(object.path_of(field), "must be a whole number");
     return static_cast<Whole>(number_at(object, field, double(least), double(greatest)));
 }
 

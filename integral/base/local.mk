@@ -2,16 +2,18 @@
 # Sources of integral/base: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/base/atomic_file.cpp \
+  integral/base/atomic_file.h \
   integral/base/avx2.h \
-  integral/base/command_pages.cpp \
-  integral/base/command_pages.h \
   integral/base/constants.h \
+  integral/base/eight_floats.h \
   integral/base/file_bytes.cpp \
   integral/base/file_bytes.h \
   integral/base/first_steps.cpp \
   integral/base/first_steps.h \
   integral/base/folders.cpp \
   integral/base/folders.h \
+  integral/base/four_floats.h \
   integral/base/interrupt.cpp \
   integral/base/interrupt.h \
   integral/base/json.cpp \
@@ -28,8 +30,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/number_text.h \
   integral/base/parallel.cpp \
   integral/base/parallel.h \
-  integral/base/program_path.cpp \
-  integral/base/program_path.h \
-  integral/base/unfinished_file.cpp \
-  integral/base/unfinished_file.h \
+  integral/base/programs.cpp \
+  integral/base/programs.h \
+  integral/base/tabulated_curve.h \
   integral/base/vector_loops.h

@@ -16,7 +16,7 @@ constexpr double unknown = 1e300;
 
 /// The number after `word` in a file like /proc/meminfo; use the word "" for a file that begins
 /// with the number. Returns `otherwise` if the file or the word is missing, or if "max" (no limit)
-/// stands for the number.
+/// stands in the number's place.
 double figure(const std::string& file, const std::string& word, double otherwise)
 {
     std::ifstream lines(file);
@@ -47,7 +47,7 @@ double free_of_process()
     return double(limit.rlim_cur) - pages * double(sysconf(_SC_PAGESIZE));
 }
 
-/// How a version of control groups names its folder and files.
+/// Names of the folder and the files of a version of control groups.
 struct GroupVersion {
     const char* folder;
     const char *limit, *used, *cached; ///< `cached` is a word in the file memory.stat
@@ -57,8 +57,8 @@ constexpr GroupVersion version_1 = {"/sys/fs/cgroup/memory", "memory.limit_in_by
 constexpr GroupVersion version_2 = {"/sys/fs/cgroup", "memory.max", "memory.current",
                                     "inactive_file"};
 
-/// Bytes that the group at `path` and the groups above it leave. Inside a container the path may be
-/// that of the host, but the folder's top is then the container's own group.
+/// Bytes that the limits of the group at `path` and of the groups above it leave. In a container,
+/// `path` may be the group's path on the host; the top folder is then the container's own group.
 double free_of_groups(const std::string& root, const GroupVersion& version, std::string path)
 {
     double least = unknown;

@@ -9,9 +9,9 @@
 
 namespace integral {
 
-/// A message as one terminal line: each byte of a control character becomes a question mark (also
-/// the two-byte UTF-8 ones, U+0080 to U+009F), and a message longer than 2000 bytes is cut there
-/// and ends in "...".
+/// A message as one terminal line: each byte of a control character (also of the two-byte ones of
+/// UTF-8, U+0080 to U+009F) becomes a question mark. A message longer than 2000 bytes is cut to
+/// that length and ends in "...".
 std::string one_line(const std::string& text);
 
 /// A text to be quoted in a message: cut after at most `most` bytes, then "...". No UTF-8 character

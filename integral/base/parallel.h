@@ -11,8 +11,8 @@ namespace integral {
 /// by two threads at once. If it returns false, the work stops. May be empty.
 using Progress = std::function<bool(int done, int total)>;
 
-/// The callback for piece `index` of `count` equally long pieces of work, which reports to `whole`
-/// the progress of all of them. Empty if `whole` is.
+/// The callback for piece `index` of `count` equally long pieces of work. It reports the progress
+/// of the work as a whole to `whole`. Empty if `whole` is empty.
 Progress piece_of(const Progress& whole, int index, int count);
 
 /// Calls work(row) once for each row in [0, rows), from `threads` threads (0: one per core).

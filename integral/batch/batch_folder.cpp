@@ -36,7 +36,7 @@ bool has_content(const std::string& path, const StepRecord& record)
 }
 
 /// Waits until a file or folder is on the disk. Throws OutputError if that fails: some file systems
-/// report only then that they are full.
+/// report a full disk only then.
 void sync(const std::string& path)
 {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -48,8 +48,8 @@ void sync(const std::string& path)
         throw OutputError(path + ": cannot be written: " + std::strerror(error));
 }
 
-/// Moves what a step has made to its output's path. Another process that has read the record may be
-/// doing the same: then the file may have been moved already.
+/// Moves a step's result to its output's path. Another process that has read the record may have
+/// moved the file already.
 void put_in_place(const BatchFolder& folder, const BatchStep& step, const StepRecord& record)
 {
     const std::string output = folder.output(step);

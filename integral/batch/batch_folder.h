@@ -10,9 +10,9 @@
 
 namespace integral {
 
-/// Paths below the output folder.
+/// Builds the paths below the output folder.
 struct BatchFolder {
-    std::string path; ///< absolute, of the output folder
+    std::string path; ///< the output folder, absolute
 
     std::string output(const BatchStep& step) const { return path + "/" + step.output; }
     /// The folder of records, locks and unfinished work.
@@ -22,37 +22,36 @@ struct BatchFolder {
         return own() + "/steps/" + step.name + ".json";
     }
     std::string lock(const std::string& name) const { return own() + "/locks/" + name; }
-    /// The folder of a step's unfinished files; deleted when the step has ended.
+    /// The folder of a step's unfinished files; deleted after the step's end.
     std::string work(const BatchStep& step) const { return own() + "/work/" + step.name; }
-    /// What a step's program writes, before it is moved to the output's path.
+    /// The path where a step's program writes; publish() moves the file to the output's path.
     std::string made(const BatchStep& step) const
     {
         return work(step) + "/made" + step.output.substr(step.output.rfind('.'));
     }
-    /// What the program of a step that failed has printed.
+    /// The copy of what a failed step's program printed.
     std::string log(const BatchStep& step) const { return path + "/logs/" + step.name + ".txt"; }
 };
 
-/// Makes the output folder and the folders in it that the plan's outputs need, if they are missing.
-/// Throws OutputError.
+/// Makes the output folder and its subfolders for the plan's outputs, unless they exist. Throws
+/// OutputError.
 BatchFolder make_batch_folder(const std::string& output, const BatchPlan& plan);
 
-/// The paths alone; nothing is made.
+/// Builds the paths without making any folder.
 BatchFolder batch_folder(const std::string& output);
 
-/// Whether a step's output is there, as its record describes it, and was made from inputs of the
-/// hash `inputs`. An output that was whole but not yet in its place when its batch was killed is
-/// moved there.
+/// Whether a step's output exists, has the hash in its record, and was made from inputs with the
+/// hash `inputs`. Moves a finished output into place if its batch was killed just before that.
 bool is_done(const BatchFolder& folder, const BatchStep& step, const StepRecord& record,
              const std::string& inputs);
 
-/// Writes a step's record and moves what it has made to its output's path. The record, with the
-/// hash of the file, is written first: if the batch is killed between the two, is_done finds the
-/// file and moves it. Throws OutputError.
+/// Writes a step's record, then moves the step's result to the output's path. The record, with the
+/// file's hash, comes first: if the batch is killed before the move, is_done moves the file. Throws
+/// OutputError.
 void publish(const BatchFolder& folder, const BatchStep& step, StepRecord record);
 
-/// Whether a file was written to its end, which a full disk may have prevented: by the last chunk
-/// of PNG and the table of OpenEXR; of other formats whether it is not empty.
+/// Whether a file was written to its end: a full disk may cut it short. Checks the last chunk of
+/// PNG and the table of OpenEXR; a file of another format passes unless it is empty.
 bool is_whole(const std::string& path);
 
 } // namespace integral

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The names of the jobs whose report has no seconds.
+/// The names of the jobs that are reported without seconds.
 std::set<std::string> repeatable_jobs(const PlannedBatch& batch)
 {
     const bool all = std::getenv("SOURCE_DATE_EPOCH") != nullptr;

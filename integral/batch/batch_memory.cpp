@@ -2,10 +2,10 @@
 #include "integral/batch/batch_memory.h"
 
 #include "integral/base/file_bytes.h"
+#include "integral/base/memory.h"
 #include "integral/base/number_text.h"
 #include "integral/batch/batch_steps.h"
 #include "integral/batch/renderer_options.h"
-#include "integral/base/memory.h"
 
 #include <algorithm>
 #include <cctype>
@@ -19,8 +19,8 @@ namespace {
 
 constexpr double mebibyte = 1 << 20;
 
-/// What a program takes for the smallest picture: no less than this program has in memory, which
-/// differs with the system's libraries, and a margin for what the others read and start.
+/// Memory of a program with the smallest picture, bytes: this program's own memory, which depends
+/// on the system's libraries, plus a margin for other programs; at least 24 MiB.
 double smallest_program()
 {
     constexpr double usual = 24 * mebibyte, margin = 3 * mebibyte;
@@ -40,8 +40,8 @@ std::string in_small_letters(std::string text)
     return text;
 }
 
-/// Whether a frame may be anti-aliased by these options. An .ini file among them counts as yes, as
-/// it is not read.
+/// Whether these options may anti-alias a frame. An .ini file among them is not read; it counts as
+/// turning anti-aliasing on.
 bool may_antialias(const Names& words)
 {
     bool may = false;
@@ -60,8 +60,8 @@ bool may_antialias(const Names& words)
     return may;
 }
 
-/// Pixels of the largest picture that the .ini files among a frame's words may ask for, in whatever
-/// section; 0 if they name no size.
+/// Upper bound, in pixels, for the picture sizes in all sections of the .ini files on a frame's
+/// command line; 0 if these files give no size.
 double pixels_in_settings(const BatchStep& step)
 {
     double width = 0, height = 0;
@@ -83,10 +83,10 @@ double pixels_in_settings(const BatchStep& step)
     return width * height;
 }
 
-/// Bytes that the renderer takes beside the scene.
+/// Upper bound of the renderer's memory without the scene, bytes.
 double renderer_bound(const BatchStep& step, double pixels)
 {
-    constexpr double kept_in_memory = 140 * mebibyte; // the renderer puts the rest into a file
+    constexpr double kept_in_memory = 140 * mebibyte; // pixels beyond it go to a file
     double bytes = smallest_program() + std::min(24 * pixels, kept_in_memory);
     if (extension_of(step.output) == "exr")
         bytes += 9 * pixels;
@@ -99,8 +99,7 @@ double renderer_bound(const BatchStep& step, double pixels)
     return bytes;
 }
 
-/// Bytes that a command takes for each pixel of the frame and of the picture that it makes, and
-/// whatever their size.
+/// Memory of a command, bytes: per pixel of the frame, per pixel of the output picture, and fixed.
 struct PerPixel {
     double frame = 0, output = 0;
     double fixed = 0;
@@ -117,12 +116,12 @@ PerPixel per_pixel(const BatchStep& step, bool deep)
     default: break;
     }
     const double frame = format == "html" ? (deep ? 30 : 20) : deep ? 13 : 4;
-    // OpenEXR holds some blocks of rows beside the picture, newer ones (Debian 13's) more of them.
+    // OpenEXR holds some blocks of rows besides the picture; newer versions (Debian 13) hold more.
     return {frame, deep ? 20.0 : exr ? 16.0 : 6.0, exr ? 4 * mebibyte : 0};
 }
 
-/// Names the steps of which one's use of memory tells that of the others: the frames of a scene, or
-/// the pictures that are made for a target.
+/// Names the group of steps with similar use of memory: the frames of one scene, or the pictures
+/// for one target.
 std::string memory_group(const Manifest& manifest, const BatchStep& step)
 {
     const int scene = manifest.jobs[std::size_t(step.job)].scene;
@@ -131,14 +130,14 @@ std::string memory_group(const Manifest& manifest, const BatchStep& step)
                                          : step.target_name);
 }
 
-/// What the header of a frame's file says.
+/// Figures from the header of a frame's file.
 struct FrameHeader {
     bool deep;        ///< more than 8 bits a sample
     Vec2 pixel_pitch; ///< mm
-    double bytes;     ///< of the file
+    double bytes;     ///< size of the file
 };
 
-/// Throws InputError if it is no integral frame.
+/// Throws InputError if the file is no integral frame.
 FrameHeader header_of_frame(const std::string& path)
 {
     const PictureHeader header = frame_header(path);
@@ -172,8 +171,8 @@ double MemoryForecast::expected(const BatchStep& step, const std::string& frame,
     if (found == learnt_.end())
         return std::max(most, before.memory);
     const Learnt& known = found->second;
-    // A larger picture needs more by the difference of the bounds; a smaller one needs less by
-    // that, but no less than by the ratio of the bounds.
+    // For a larger picture, add the difference of the bounds. For a smaller picture, subtract the
+    // difference, or scale by the ratio of the bounds if that leaves more.
     const double by_difference = known.bytes + most - known.bound;
     return most > known.bound ? by_difference
                               : std::max(by_difference, known.bytes * most / known.bound);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How far a batch is: pixels done and to do, the jobs at work, the time left.
+// Progress of a batch: finished and remaining pixels, the running jobs, the time left.
 #ifndef INTEGRAL_BATCH_BATCH_PROGRESS_H
 #define INTEGRAL_BATCH_BATCH_PROGRESS_H
 
@@ -15,46 +15,46 @@
 namespace integral {
 
 struct BatchState {
-    double done = 0;                    ///< part of all work: 0 to 1
-    std::vector<std::string> jobs;      ///< at work, each once
-    std::optional<double> seconds_left; ///< nothing while too little is done to tell
+    double done = 0;                    ///< share of all work, 0 to 1
+    std::vector<std::string> jobs;      ///< jobs at work, each once
+    std::optional<double> seconds_left; ///< empty while too little is done for an estimate
 };
 
 struct JobEnd {
     std::string job;
     bool failed = false;
-    double seconds = 0;      ///< that its steps took in this run
-    int ended = 0, jobs = 0; ///< how many jobs of this run have ended, of how many
+    double seconds = 0;      ///< time of its steps in this run
+    int ended = 0, jobs = 0; ///< ended jobs and all jobs of this run
 };
 
-/// Whom a batch tells how it goes on.
+/// Callbacks for the progress of a batch.
 struct BatchReporter {
     /// Called several times a second; the batch stops if it returns false.
     std::function<bool(const BatchState& state)> state = [](const BatchState&) { return true; };
     std::function<void(const JobEnd& job)> job_ended = [](const JobEnd&) {};
-    /// Called before a line goes to standard error, to clear a bar from it.
+    /// Called before a line is printed to standard error, to clear a progress bar there.
     std::function<void()> before_line = [] {};
 };
 
-/// Adds up the work of the steps that a run has to do. Work is pixels: those of frames that are
-/// rendered; another step counts as a hundredth of its frame's.
+/// Adds up the work that a run has to do, in pixels of rendered frames. A step that renders nothing
+/// counts as a hundredth of its frame.
 class WorkMeter {
 public:
-    /// `to_do`: indices of steps in the plan, `job_names` of the manifest's jobs. Both must outlive
-    /// it.
+    /// `to_do`: indices of steps in the plan; `jobs`: the manifest's jobs. `plan` and `jobs` must
+    /// outlive this.
     WorkMeter(const BatchPlan& plan, const std::vector<BatchJob>& jobs,
               const std::list<int>& to_do);
 
-    /// A step has ended. Returns the end of its job, if this was its last step to do.
+    /// Records the end of a step. Returns the end of its job if this was the job's last step.
     std::optional<JobEnd> end(int step, bool failed, double seconds);
 
-    /// The state after `seconds` of work. `running`: steps at work, and the part of each that is
-    /// done, 0 to 1.
+    /// The state after `seconds` of work. `running` maps steps at work to the finished share of
+    /// each, 0 to 1.
     BatchState state(const std::map<int, double>& running, double seconds) const;
 
 private:
     struct Job {
-        int left = 0; ///< steps to do
+        int left = 0; ///< remaining steps
         bool failed = false;
         double seconds = 0;
     };
@@ -68,8 +68,8 @@ private:
     int ended_ = 0;
 };
 
-/// Copies what a program has printed. Of a line that was written over again and again, as progress
-/// is, only the last text stays. Returns whether that was possible.
+/// Copies the output of a program. If a line was overwritten repeatedly, like a progress bar,
+/// copies only its last text. Returns whether the copy succeeded.
 bool copy_log(const std::string& said, const std::string& log);
 
 } // namespace integral

@@ -49,7 +49,7 @@ article a { margin-right: .6em; display: inline-block; }
 .reason { color: var(--bad); }
 )css";
 
-/// What the summary says of a job before any of its steps.
+/// A job's entry in the summary, without its steps.
 Json job_entry(const Manifest& manifest, const BatchJob& job)
 {
     return {{"name", job.name},
@@ -96,7 +96,7 @@ void add_step(Json& job, const BatchStep& step, const StepResult& result, const 
          {"remark", done && !record.remark.empty() ? Json(record.remark) : Json(nullptr)}});
 }
 
-/// The thumbnail of a job as an element of a page; nothing if its file has gone.
+/// The thumbnail of a job as an element of a page; empty if its file is missing.
 std::optional<std::string> thumbnail(const std::string& job, const std::string& path)
 {
     try {
@@ -107,8 +107,8 @@ std::optional<std::string> thumbnail(const std::string& job, const std::string& 
     }
 }
 
-/// A preview that moves, as an element of a page: in place of the thumbnail, `still`, where the
-/// reader has not asked for pages that keep still.
+/// A moving preview as an element of a page. It replaces the thumbnail `still` unless the reader
+/// prefers reduced motion.
 std::string moving_picture(const std::string& job, const std::string& file,
                            const std::string& still)
 {
@@ -122,7 +122,7 @@ std::string moving_picture(const std::string& job, const std::string& file,
            "\"></picture>";
 }
 
-/// A job's part of the page. `folder` is where its files are.
+/// A job's part of the page. `folder` holds the job's files.
 std::string job_article(const Json& job, const BatchFolder& folder)
 {
     const std::string name = markup_text(text_at(job, "name")), state = text_at(job, "state");

@@ -19,8 +19,8 @@ namespace {
 
 using Clock = RunningStep::Clock;
 constexpr int poll_milliseconds = 5;
-constexpr auto look_after = std::chrono::milliseconds(200); ///< whether a waiting step can start
-constexpr auto refresh_after = std::chrono::seconds(10);    ///< locks
+constexpr auto look_after = std::chrono::milliseconds(200); ///< between checks for ready steps
+constexpr auto refresh_after = std::chrono::seconds(10);    ///< between refreshes of locks
 
 bool exists(const std::string& path) { return access(path.c_str(), F_OK) == 0; }
 
@@ -39,7 +39,7 @@ public:
     {
     }
 
-    /// Finishes those pending steps that are done already.
+    /// Finishes the pending steps whose output exists already.
     void keep_done()
     {
         for (const int i : states_.pending()) {
@@ -51,7 +51,7 @@ public:
                 const StepRecord record = read_record(folder_.record(step));
                 if (is_done(folder_, step, record, inputs_.hash(step, states_.frame_hash(step))))
                     states_.set_finished(i, StepFate::kept, record);
-            } catch (const InputError&) { // is said when the step is started
+            } catch (const InputError&) { // reported when the step is started
             }
         }
     }
@@ -92,7 +92,7 @@ public:
 
     std::vector<StepResult> results() const { return states_.results(); }
 
-    LockFile batch_lock; ///< of the whole folder, when all jobs are run
+    LockFile batch_lock; ///< on the whole folder, taken when all jobs are run
 
 private:
     /// The path of the frame that a step reads; "" if it reads none.
@@ -109,8 +109,8 @@ private:
         return states_.work(parts, std::chrono::duration<double>(Clock::now() - begun_).count());
     }
 
-    /// Deletes what batches that were killed have left: working folders and logs of failure of
-    /// steps that are done, and unfinished files.
+    /// Deletes the leftovers of killed batches: working folders and failure logs of finished steps,
+    /// and unfinished files.
     void tidy_up()
     {
         for (const char* const own : {"", "/.integral-batch/locks", "/.integral-batch/steps",
@@ -141,8 +141,8 @@ private:
             states_.say(i, record.remark);
     }
 
-    /// Starts steps while there are cores and memory for them. If interrupted, publishes `ended`,
-    /// stops and throws.
+    /// Starts steps while cores and memory suffice. If interrupted, publishes `ended`, stops and
+    /// throws.
     void start_some(std::list<RunningStep>& ended)
     {
         for (const int i : states_.pending()) {
@@ -164,8 +164,8 @@ private:
         }
     }
 
-    /// Starts a step, or finishes it without its program if it is done or another has made the
-    /// same; leaves it pending if it has to wait.
+    /// Starts a step's program. If the output exists, or another step has made the same output,
+    /// finishes the step without a program. Leaves the step pending if it has to wait.
     void start(int i)
     {
         const BatchStep& step = states_.step(i);
@@ -176,7 +176,7 @@ private:
             return states_.set_finished(i, StepFate::kept, record);
         const std::optional<int> twin = states_.maker(hash);
         if (twin && *twin != i && states_.fate(*twin) == StepFate::waiting)
-            return; // the other one is running
+            return; // the other step's program is still running
         const double pixels = pixels_of(step, frame),
                      memory = memory_.expected(step, frame, pixels, record);
         const bool copies = twin && states_.has_output(*twin);
@@ -227,7 +227,7 @@ private:
         states_.set_finished(i, StepFate::copied, read_record(folder_.record(step)));
     }
 
-    /// Whether a step can have that much memory now. Says why not; it fails if nothing else runs.
+    /// Whether `needed` bytes are free. Reports a lack; if no program runs, the step then fails.
     bool has_memory(int i, double needed)
     {
         const std::string lack = memory_.lack(needed, running_.memory());
@@ -240,7 +240,7 @@ private:
         return false;
     }
 
-    /// Publishes what programs that have ended have made, or notes their failures.
+    /// Publishes the results of ended programs, or records their failures.
     void conclude(std::list<RunningStep>& ended)
     {
         for (; !ended.empty(); ended.pop_front())
@@ -265,18 +265,18 @@ private:
     void conclude_failed(int i, StepRecord record, const std::string& reason)
     {
         const BatchStep& step = states_.step(i);
-        if (interrupted()) // that is why it failed: there is nothing to keep
+        if (interrupted()) // the cause of the failure: there is nothing to keep
             return clean(step);
         std::error_code ignored;
-        if (!copy_log(said_file(step), folder_.log(step))) // half a log says less than none
+        if (!copy_log(said_file(step), folder_.log(step))) // an incomplete log would mislead
             std::filesystem::remove(folder_.log(step), ignored);
         clean(step);
         record.state = StepState::failed;
         record.reason = reason;
         try {
             write_record(folder_.record(step), record);
-        } catch (const OutputError&) { // the reason is said below, and the old record does not call
-                                       // the step done
+        } catch (const OutputError&) { // the reason is reported below, and the old record does not
+                                       // mark the step as done
         }
         if (++tries_[std::size_t(i)] > options_.retries || interrupted())
             return fail(i, reason);
@@ -284,7 +284,7 @@ private:
         states_.set_pending_again(i);
     }
 
-    /// What a running step's program says.
+    /// The file for a running program's output.
     std::string said_file(const BatchStep& step) const { return folder_.work(step) + "/said.txt"; }
 
     /// Deletes the working folder of a step.
@@ -294,7 +294,7 @@ private:
         std::filesystem::remove_all(folder_.work(step), ignored);
     }
 
-    /// The same for a step that is done: what a failure of it has said is out of date.
+    /// Deletes a finished step's working folder, and the log of an earlier failure.
     void clean_done(const BatchStep& step)
     {
         std::error_code ignored;

@@ -14,22 +14,22 @@ namespace integral {
 struct RunOptions {
     int at_once = 1;            ///< programs that run at the same time
     int retries = 0;            ///< after a failure
-    double memory = 0;          ///< bytes that all together may take; 0: what the machine has free
+    double memory = 0;          ///< bytes for all programs together; 0: the machine's free memory
     OutputPixels output_pixels; ///< for the forecast of memory
-    std::set<int> jobs;         ///< that are run, in the manifest's list; empty: all
+    std::set<int> jobs;         ///< jobs to run, as indices in the manifest; empty: all
 };
 
-/// The fate of every step of the plan, without running any: kept, or waiting to be done. Throws
+/// Returns the fate of every step of the plan without running any: kept or waiting. Throws
 /// Interrupted.
 std::vector<StepResult> survey(PlannedBatch& batch, const RunOptions& options);
 
-/// Runs what is to be done. A failure leaves out only what depends on it, and is said on standard
-/// error at once. Throws Interrupted, with what was finished kept, and OutputError if the output
-/// folder cannot be written or, when all jobs are run, another batch works in it.
+/// Runs the steps that are not done. If a step fails, leaves out the steps that read its output and
+/// reports the failure on standard error. Throws Interrupted, keeping finished steps; OutputError
+/// if the output folder cannot be written or, when all jobs are run, is in use by another batch.
 std::vector<StepResult> run_batch(PlannedBatch& batch, const RunOptions& options,
                                   const BatchReporter& reporter);
 
-/// The same for a plan of other steps in the batch's folder, as strips are.
+/// Like run_batch, for a plan of other steps in the batch's folder, such as strips.
 std::vector<StepResult> run_steps(PlannedBatch& batch, const BatchPlan& plan,
                                   const RunOptions& options, const BatchReporter& reporter);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The order in which a batch's steps start, and the threads that each one gets.
+// The starting order of a batch's steps, and the number of threads for each.
 #ifndef INTEGRAL_BATCH_BATCH_SCHEDULE_H
 #define INTEGRAL_BATCH_BATCH_SCHEDULE_H
 
@@ -9,13 +9,13 @@
 
 namespace integral {
 
-/// Sorts steps of the plan (indices) by the order in which they are to start: first those that read
-/// a frame, then the frames, the longest first, by the seconds of their last run or by their
-/// pixels. So the last ones end at nearly the same time.
+/// Sorts steps of the plan (indices) by starting order: first those that read a frame, then the
+/// frames, longest first, by the seconds of their last run or else by their pixels. Thus the last
+/// steps end at nearly the same time.
 void sort_longest_first(std::list<int>& steps, const BatchPlan& plan, const BatchFolder& folder);
 
-/// The threads of a step that starts when `others` more could start as well: one if these are
-/// enough for the `at_once` programs that may run; else more, so that no core is idle.
+/// Number of threads for a step that starts when `others` more steps could start: `at_once`, the
+/// number of concurrent programs, divided by the number of all these steps, rounded up.
 int threads_beside(int others, int at_once);
 
 } // namespace integral

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/batch_steps.h"
 
-#include "integral/base/program_path.h"
+#include "integral/base/programs.h"
 #include "integral/batch/renderer.h"
 #include "integral/batch/renderer_options.h"
 #include "integral/io/codecs.h"
@@ -26,13 +26,13 @@ constexpr int thumbnail_side = 240;            // pixels
 
 std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
-/// The path on PATH of the program that a bare name would run; other names stay as they are.
+/// Searches PATH for a name without a folder and returns its path; returns other names unchanged.
 std::string found_on_path(const std::string& name)
 {
     return name.find('/') == std::string::npos ? program_on_path(name).value_or(name) : name;
 }
 
-/// Words with single blanks between them.
+/// The text with single blanks between its words.
 std::string tidy(const std::string& text)
 {
     std::istringstream words(text);
@@ -80,8 +80,8 @@ std::string thumbnail_size(const std::string& frame)
     return side(size.width) + "x" + side(size.height);
 }
 
-/// The first message of a step's program about its frame, though it made its file; without the
-/// names of the program and the frame. Empty if there is none.
+/// The first message about the frame `frame` in the log of a step's program that succeeded, without
+/// the names of the program and the frame. Empty if there is none.
 std::string remark_of(const BatchStep& step, const std::string& log, const std::string& frame)
 {
     const std::string mark = one_line("integral " + step.words[0] + ": " + frame + ": ");
@@ -157,7 +157,7 @@ FrameMetadata metadata_in(const PictureHeader& header)
     try {
         if (!header.document.empty())
             return frame_metadata_from_json(header.document);
-    } catch (const std::invalid_argument&) { // a document of something else
+    } catch (const std::invalid_argument&) { // a document of another kind
     }
     throw InputError(
         "the scene's camera is not integral; give it a sheet of the manifest's \"sheets\"");
@@ -184,7 +184,7 @@ std::string failure_of(const BatchStep& step, const std::string& log, const Chil
     std::string said;
     try {
         said = read_file(log);
-    } catch (const InputError&) { // a full disk has no room for it
+    } catch (const InputError&) { // on a full disk there may be no log
     }
     const std::string full = disk_is_full(log) ? "; the disk is full" : "";
     if (end.status == 0)

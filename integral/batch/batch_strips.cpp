@@ -11,7 +11,7 @@
 #include "integral/batch/renderer_options.h"
 #include "integral/batch/scene_files.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/pass_rows.h"
+#include "integral/reconstruction/pass_rows.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -27,8 +27,8 @@ std::string plan_file(const BatchFolder& folder, const BatchStep& frame)
     return folder.own() + "/strips/" + job_of(frame) + ".json";
 }
 
-/// Runs the renderer in a step's folder and returns what it prints. Throws InputError with its
-/// reason.
+/// Runs the renderer in a step's folder and returns its output. Throws InputError with the
+/// renderer's reason.
 std::string render_in_folder(const BatchStep& step, Names words, const ScratchFolder& scratch)
 {
     words.insert(words.begin(), renderer_program());
@@ -39,7 +39,7 @@ std::string render_in_folder(const BatchStep& step, Names words, const ScratchFo
     return read_file(log);
 }
 
-/// Whether the renderer prints of a setting that it is on.
+/// Whether the renderer's output lists a setting as on.
 bool is_on(const std::string& said, const std::string& setting)
 {
     const auto place = said.find(setting + "...");
@@ -47,8 +47,8 @@ bool is_on(const std::string& said, const std::string& setting)
            said.compare(said.find_first_not_of('.', place + setting.size()), 2, "On") == 0;
 }
 
-/// Says on standard error what in the scene and its settings makes two renderings of it differ.
-/// `said` is what the renderer printed.
+/// Warns on standard error of scene words and renderer settings that make two renderings differ.
+/// `said` is the renderer's output.
 void warn_of_randomness(const BatchStep& frame, const BatchPrograms& programs,
                         const std::string& said)
 {
@@ -79,8 +79,8 @@ Json json_of(const StripPlan& plan)
     return {{"inputs", plan.inputs}, {"height", plan.height}, {"strips", std::move(strips)}};
 }
 
-/// Runs the renderer for two rows of the frame and plans the strips by their picture and by the
-/// settings that the renderer prints.
+/// Renders two rows of the frame and plans the strips from their picture and the settings that the
+/// renderer prints.
 StripPlan new_plan(const BatchStep& frame, const std::string& inputs, int number,
                    const BatchPrograms& programs)
 {
@@ -123,7 +123,7 @@ BatchPlan strip_steps(const BatchStep& frame, const StripPlan& plan)
         step.rows = plan.strips[k];
         for (const std::string& option : options_of(plan.strips[k], plan.height))
             step.words.push_back(option);
-        if (depth && k > 0) // a depth frame is of all rows
+        if (depth && k > 0) // the first strip writes the depth frame for all rows
             step.words.push_back("Integral_Depth_Image=");
         steps.steps.push_back(step);
     }
@@ -183,16 +183,16 @@ bool render_strip(PlannedBatch& batch, int job, std::size_t number, RunOptions o
 
 namespace {
 
-/// The strips of a frame that is put together.
+/// The strips from which a frame is joined.
 struct StripsOfFrame {
     std::vector<BatchStep> steps;
-    Names files;        ///< of the strips
-    double seconds = 0; ///< of all of them
-    double memory = 0;  ///< bytes, the most that one of them took
-    std::string reason; ///< why they make no frame; empty if they do
+    Names files;        ///< paths of the strips
+    double seconds = 0; ///< sum over the strips
+    double memory = 0;  ///< bytes, largest of the strips
+    std::string reason; ///< why the strips make no frame; empty if they do
 };
 
-/// `hash` is that of the frame's inputs.
+/// `hash`: hash of the frame's inputs.
 StripsOfFrame strips_of(PlannedBatch& batch, const BatchStep& frame, const std::string& hash)
 {
     StripsOfFrame all;
@@ -216,7 +216,7 @@ StripsOfFrame strips_of(PlannedBatch& batch, const BatchStep& frame, const std::
     return all;
 }
 
-/// Writes and publishes the frame of its strips, then deletes them. Throws InputError, OutputError.
+/// Joins the strips to the frame, publishes it and deletes them. Throws InputError, OutputError.
 void publish_merged(const BatchFolder& folder, const BatchStep& frame, const StripsOfFrame& strips,
                     StepRecord& record)
 {

@@ -32,7 +32,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::str
     const int error = errno;
     if (process_ == 0) { // only calls that are safe between fork and exec
         prctl(PR_SET_PDEATHSIG, SIGKILL);
-        if (getppid() != parent) // it had ended before
+        if (getppid() != parent) // the parent ended before prctl
             _exit(program_cannot_be_run);
         dup2(nothing, 0);
         dup2(said, 1);
@@ -85,7 +85,7 @@ std::optional<ChildEnd> ChildProcess::ended()
 ChildEnd ChildProcess::wait(const std::function<void()>& meanwhile)
 {
     constexpr int naps_between = 20;
-    bool told = false; // an interrupt may have come to this program alone
+    bool told = false; // the interrupt may not have reached the child
     for (int nap = 0;; ++nap) {
         if (const auto end = ended()) {
             stop_if_interrupted();

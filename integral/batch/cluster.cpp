@@ -26,8 +26,8 @@ using Queue = std::map<Task, QueuedTask>;
 
 void append(Names& all, const Names& more) { all.insert(all.end(), more.begin(), more.end()); }
 
-/// What is the same in all requests for a batch.
-SlurmRequest request_for(const PlannedBatch& batch, const RunOptions& wanted,
+/// The common part of all requests for a batch.
+SlurmRequest request_for(const PlannedBatch& batch, const RunOptions& requested,
                          const ClusterOptions& cluster)
 {
     SlurmRequest request;
@@ -35,8 +35,8 @@ SlurmRequest request_for(const PlannedBatch& batch, const RunOptions& wanted,
                             std::filesystem::path(batch.manifest.path).stem().string());
     request.partition = cluster.partition;
     request.time = cluster.time;
-    if (wanted.memory > 0)
-        request.memory = with_decimals(std::ceil(wanted.memory / (1 << 20)), 0) + "M";
+    if (requested.memory > 0)
+        request.memory = with_decimals(std::ceil(requested.memory / (1 << 20)), 0) + "M";
     request.cpus = cluster.cpus;
     request.options = cluster.sbatch;
     request.log_folder = batch.folder.path + "/logs/slurm";
@@ -44,21 +44,21 @@ SlurmRequest request_for(const PlannedBatch& batch, const RunOptions& wanted,
     return request;
 }
 
-/// Submits a batch's tasks, as arrays of as many as the cluster allows.
+/// Submits a batch's tasks, in arrays as long as the cluster allows.
 class Submitter {
 public:
-    Submitter(const PlannedBatch& batch, const RunOptions& wanted, const ClusterOptions& cluster)
+    Submitter(const PlannedBatch& batch, const RunOptions& requested, const ClusterOptions& cluster)
         : batch_(batch),
           limit_(std::size_t(slurm_array_limit())),
-          retries_(wanted.retries),
-          request_(request_for(batch, wanted, cluster))
+          retries_(requested.retries),
+          request_(request_for(batch, requested, cluster))
     {
         make_folder(cluster_folder(batch.folder));
         make_folder(request_.log_folder);
     }
 
-    /// Submits tasks that may run in any order, once the jobs `after` have ended. Returns the new
-    /// arrays' numbers.
+    /// Submits tasks that may run in any order, to begin after the Slurm jobs `after` have ended.
+    /// Returns the new arrays' numbers.
     Names submit(const std::vector<Task>& tasks, const Names& after)
     {
         Names arrays;
@@ -97,8 +97,8 @@ private:
         return array;
     }
 
-    /// The shell commands of each task: they run this program with the task's line of the list,
-    /// which is an option and its value, without blanks in either.
+    /// The shell commands of each task. They run this program with the words of the task's line in
+    /// `list`: an option and its value, if any, neither of which contains blanks.
     std::string commands_for(const std::string& list) const
     {
         const std::string program = std::filesystem::read_symlink("/proc/self/exe");
@@ -115,19 +115,19 @@ private:
     int tasks_ = 0;
 };
 
-/// The jobs that are to be made; of those in `in_strips` the frame, too, which is cut.
+/// Jobs to make. `in_strips`: those jobs whose frame has to be made in strips.
 struct JobsToMake {
     std::set<int> all, in_strips;
 };
 
-JobsToMake jobs_to_make(PlannedBatch& batch, const RunOptions& wanted, int strips)
+JobsToMake jobs_to_make(PlannedBatch& batch, const RunOptions& requested, int strips)
 {
     JobsToMake jobs;
-    const auto results = survey(batch, wanted);
+    const auto results = survey(batch, requested);
     for (std::size_t i = 0; i < batch.plan.steps.size(); ++i) {
         const BatchStep& step = batch.plan.steps[i];
         if (results[i].fate != StepFate::waiting ||
-            (!wanted.jobs.empty() && !wanted.jobs.count(step.job)))
+            (!requested.jobs.empty() && !requested.jobs.count(step.job)))
             continue;
         jobs.all.insert(step.job);
         if (strips > 1 && step.kind == StepKind::frame)
@@ -137,7 +137,7 @@ JobsToMake jobs_to_make(PlannedBatch& batch, const RunOptions& wanted, int strip
 }
 
 /// Submits the strips of a job's frame that are neither done nor in the queue, then the task that
-/// joins them and makes the rest of the job. Adds the new arrays to `added`, also where it throws.
+/// joins them and makes the job's other steps. Adds the new arrays to `added`, even if it throws.
 void submit_strips(PlannedBatch& batch, int job, int number, const Queue& queued,
                    Submitter& submitter, Names& added)
 {
@@ -163,8 +163,8 @@ void submit_strips(PlannedBatch& batch, int job, int number, const Queue& queued
         append(added, submitter.submit({"--merge " + name}, before));
 }
 
-/// Submits the task that writes the summary, in place of one that is in the queue, to begin when
-/// the tasks in the queue and the arrays `added` have ended.
+/// Submits the task that writes the summary, to begin after the queued tasks and the arrays `added`
+/// have ended. Cancels a summary task that is already queued.
 void submit_summary(const Queue& queued, const Names& added, Submitter& submitter)
 {
     Names after;
@@ -177,7 +177,7 @@ void submit_summary(const Queue& queued, const Names& added, Submitter& submitte
     submitter.submit({"--summary"}, after);
 }
 
-/// Whether a task waits because of a limit of the cluster or of the account.
+/// Whether a task waits because of a limit of the cluster or the account.
 bool is_held_by_limit(const SlurmTask& task)
 {
     return task.state == "PENDING" && (task.reason.find("Limit") != std::string::npos ||
@@ -186,12 +186,13 @@ bool is_held_by_limit(const SlurmTask& task)
 
 } // namespace
 
-Submitted submit_batch(PlannedBatch& batch, const RunOptions& wanted, const ClusterOptions& cluster)
+Submitted submit_batch(PlannedBatch& batch, const RunOptions& requested,
+                       const ClusterOptions& cluster)
 {
     make_batch_folder(batch.manifest.output, batch.plan);
     make_folder(batch.folder.own() + "/strips");
-    const JobsToMake jobs = jobs_to_make(batch, wanted, cluster.strips);
-    Submitter submitter(batch, wanted, cluster);
+    const JobsToMake jobs = jobs_to_make(batch, requested, cluster.strips);
+    Submitter submitter(batch, requested, cluster);
     const Queue queued = queued_tasks(batch.folder);
     Submitted submitted;
     std::vector<Task> whole; // jobs
@@ -215,7 +216,7 @@ Submitted submit_batch(PlannedBatch& batch, const RunOptions& wanted, const Clus
     append(added, submitter.submit(whole, {}));
     submitted.tasks = submitter.tasks();
     submitted.queued_before = int(queued.size()) - int(queued.count("--summary"));
-    if (submitted.tasks > 0 && wanted.jobs.empty())
+    if (submitted.tasks > 0 && requested.jobs.empty())
         submit_summary(queued, added, submitter);
     return submitted;
 }

@@ -11,7 +11,7 @@
 namespace integral {
 namespace {
 
-/// An array of tasks, as note_submission has written it.
+/// An array of tasks, as written by note_submission.
 struct Submission {
     std::string file, job;
     std::vector<Task> tasks;
@@ -34,7 +34,7 @@ std::vector<Submission> read_submissions(const std::string& folder)
     return all;
 }
 
-/// Adds those of an array's tasks that are in the queue; returns whether there are any.
+/// Adds the tasks of an array that are in the queue; returns whether there are any.
 bool add_queued(const Submission& array, const std::vector<SlurmTask>& in_queue,
                 std::map<Task, QueuedTask>& queued)
 {

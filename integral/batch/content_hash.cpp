@@ -76,7 +76,7 @@ std::string ContentHash::digits() { return state_->digits(); }
 
 std::string hash_of_file(const std::string& path)
 {
-    ContentHash::State plain; // without the pieces' sizes: the same figure as other programs'
+    ContentHash::State plain; // without add()'s sizes of pieces: equal to sha256sum's hash
     const Descriptor file(path);
     std::vector<char> block(1 << 20);
     for (;;) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// SHA-256 of texts and files, by which a batch knows whether anything has changed.
+// SHA-256 of texts and files, by which a batch detects changes.
 #ifndef INTEGRAL_BATCH_CONTENT_HASH_H
 #define INTEGRAL_BATCH_CONTENT_HASH_H
 
@@ -8,7 +8,7 @@
 
 namespace integral {
 
-/// The hash of a sequence of texts. The same characters divided otherwise have another hash.
+/// Hashes a sequence of texts. The same characters, divided otherwise, give another hash.
 class ContentHash {
 public:
     ContentHash();
@@ -25,7 +25,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The SHA-256 of a file's bytes, as sha256sum prints it. Throws InputError where it cannot be
+/// The SHA-256 of a file's bytes, as sha256sum prints it. Throws InputError if the file cannot be
 /// read.
 std::string hash_of_file(const std::string& path);
 

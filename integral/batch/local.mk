@@ -28,8 +28,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/cluster_queue.h \
   integral/batch/content_hash.cpp \
   integral/batch/content_hash.h \
-  integral/batch/located_json.cpp \
-  integral/batch/located_json.h \
   integral/batch/lock_file.cpp \
   integral/batch/lock_file.h \
   integral/batch/manifest.cpp \
@@ -54,6 +52,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/batch/scene_look.h \
   integral/batch/slurm.cpp \
   integral/batch/slurm.h \
+  integral/batch/source_json.cpp \
+  integral/batch/source_json.h \
   integral/batch/step_record.cpp \
   integral/batch/step_record.h \
   integral/batch/step_states.cpp \

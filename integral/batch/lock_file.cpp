@@ -19,7 +19,7 @@ namespace {
 struct Holder {
     std::string host, boot;
     long process = 0;
-    std::string begun; ///< when it started, in the kernel's ticks: its number may be used again
+    std::string begun;      ///< start in the kernel's ticks; needed as process numbers are reused
     std::string name_space; ///< the PID namespace of the number; empty: unknown
 };
 
@@ -37,11 +37,11 @@ std::string first_line(const std::string& path)
     return line;
 }
 
-/// When a process started, in the kernel's ticks; empty if there is no such process.
+/// Start of a process in the kernel's ticks; empty if there is no such process.
 std::string begin_of_process(long process)
 {
     const std::string status = first_line("/proc/" + std::to_string(process) + "/stat");
-    const auto name_end = status.rfind(')'); // the name before it may hold anything
+    const auto name_end = status.rfind(')'); // the name before it may contain any character
     if (name_end == std::string::npos)
         return "";
     std::istringstream rest(status.substr(name_end + 1));
@@ -72,7 +72,7 @@ Holder holder_in(const std::string& path)
     return holder;
 }
 
-/// Whether a lock's holder has ended. `path` is the lock's file; `now` is the time by the file
+/// Whether a lock's holder has ended. `path` is the lock's file; `now` is the time of the file
 /// system's clock.
 bool is_dead(const Holder& holder, const std::string& path, const struct timespec& now)
 {
@@ -89,7 +89,7 @@ bool is_dead(const Holder& holder, const std::string& path, const struct timespe
 }
 
 /// Keeps other processes from judging and taking over locks at the same time, if the file system
-/// can do that. The kernel releases it when the process ends.
+/// supports flock. The kernel releases the guard when the process ends.
 class Guard {
 public:
     explicit Guard(const std::string& path)
@@ -128,8 +128,8 @@ bool LockFile::take(const std::string& path, std::string& holder)
     const auto slash = path.rfind('/');
     const Guard guard(path.substr(0, slash + 1) + "guard");
     const Holder me = myself();
-    // The file is written under a name of its own and then linked to the lock's name, in which only
-    // one process succeeds.
+    // The file is written under a name of its own and then linked to the lock's name: only one
+    // process succeeds in that.
     const std::string own = path.substr(0, slash + 1) + unfinished_name("lock");
     const Json json{{"host", me.host},
                     {"process", me.process},
@@ -170,8 +170,8 @@ void LockFile::refresh() const
 
 void LockFile::release()
 {
-    if (held() && holder_in(path_) == myself()) // who was silent for long may have lost it to
-                                                // another
+    if (held() && holder_in(path_) == myself()) // after a long silence another process may have
+                                                // taken it over
         unlink(path_.c_str());
     path_.clear();
 }

@@ -8,10 +8,10 @@
 
 namespace integral {
 
-/// Holds at most one lock. A process that was killed leaves its file behind, which is then taken
-/// over. On the same machine and in the same PID namespace that is known by the process that the
-/// file names; elsewhere by the age of the file, as holders refresh theirs. The files of earlier
-/// versions, which do not name their namespace, are judged by age, too.
+/// Holds at most one lock. Takes over the lock file of a dead holder. A holder on the same machine
+/// and in the same PID namespace is dead if the process named in the file has ended. Any other
+/// holder is dead if its file is too old, because living holders refresh their files. Files of
+/// earlier versions, which name no namespace, are judged by age, too.
 class LockFile {
 public:
     LockFile() = default;
@@ -19,12 +19,12 @@ public:
     LockFile(LockFile&& other) noexcept : path_(std::move(other.path_)) { other.path_.clear(); }
     LockFile& operator=(LockFile&& other) noexcept;
 
-    /// Tries to take the lock of that path. Returns false if another process holds it, which
-    /// `holder` then names: "process 12 on HOST". Throws OutputError if the folder cannot be
-    /// written.
+    /// Tries to take the lock at that path. If another process holds the lock, returns false and
+    /// sets `holder` to that process: "process 12 on HOST". Throws OutputError if the folder cannot
+    /// be written.
     bool take(const std::string& path, std::string& holder);
     bool held() const { return !path_.empty(); }
-    /// Shows other machines that the holder is alive. Must be called at least once in
+    /// Shows other machines that the holder is alive. Must be called at least every
     /// `seconds_of_silence`.
     void refresh() const;
     void release();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What a batch's manifest asks for. doc/commands/batch.md says what each field means to its
-// user.
+// The content of a batch's manifest. doc/commands/batch.md describes the fields for users.
 #ifndef INTEGRAL_BATCH_MANIFEST_H
 #define INTEGRAL_BATCH_MANIFEST_H
 
@@ -12,51 +11,51 @@
 namespace integral {
 
 using Names = std::vector<std::string>;
-using Indices = std::vector<int>; ///< in one of a manifest's lists
+using Indices = std::vector<int>; ///< positions in one of a manifest's lists
 
-constexpr std::size_t most_jobs = 10000;   ///< before any are excluded
-constexpr std::size_t most_steps = 100000; ///< of all those jobs: plan.h says what a step is
+constexpr std::size_t most_jobs = 10000;   ///< before "exclude" removes any
+constexpr std::size_t most_steps = 100000; ///< of all those jobs; a step is a BatchStep (plan.h)
 
-/// Which of the manifest's papers, panels and previews are made; not given: all.
+/// The manifest's papers, panels and previews to make; empty: all.
 struct Targets {
     std::optional<Indices> papers, panels, previews;
 };
 
 struct FrameSize {
-    int width = 0, height = 0; ///< pixels; 0: the renderer's own settings say it
+    int width = 0, height = 0; ///< pixels; 0: by the renderer's own settings
 };
 
 struct BatchScene {
     std::string name, file; ///< .pov or .ini
-    Names options;          ///< the renderer's
+    Names options;          ///< of the renderer
     std::vector<std::pair<std::string, std::string>> declare;
     FrameSize size;
-    Names inputs;                  ///< files that it reads and that its text does not name
-    std::optional<Indices> sheets; ///< not given: all; empty: its own camera is integral
+    Names inputs;                  ///< files that the scene reads and its text does not name
+    std::optional<Indices> sheets; ///< not given: all; an empty list: the scene's own camera
     Targets targets;
 };
 
 struct BatchSheet {
-    std::string name, camera; ///< Integral_Camera's words
+    std::string name, camera; ///< words of Integral_Camera
     Names options;
-    FrameSize size; ///< instead of the scene's
+    FrameSize size; ///< replaces the scene's
     Targets targets;
 };
 
-/// A paper, a panel or a preview: what one command makes of a frame.
+/// A paper, a panel or a preview: the output of one command from a frame.
 struct BatchTarget {
     std::string name, format; ///< the output's extension
-    std::string what; ///< a paper's name or size, or empty; a panel's name or file; of a preview
-                      ///< nothing
+    std::string what; ///< a paper's name or size, or empty; a panel's name or file; empty for a
+                      ///< preview
     Names options;    ///< of the command: integral print, lcd or replay
-    // Where `what` and `options` stand, for messages: "batch.json:7: papers[0].paper".
+    // Positions of `what` and `options`, for messages: "batch.json:7: papers[0].paper".
     std::string place, options_place;
 };
 
-/// A scene behind a sheet, and what is made of its frame.
+/// A scene behind a sheet, with the targets to make from its frame.
 struct BatchJob {
     std::string name;
-    int scene = 0, sheet = -1; ///< in the manifest's lists; -1: none
+    int scene = 0, sheet = -1; ///< indices in the manifest's lists; -1: none
     Indices papers, panels, previews;
 };
 
@@ -71,13 +70,12 @@ struct Manifest {
     std::vector<BatchJob> jobs; ///< all, in order; names are unique
 };
 
-/// Reads and checks a manifest: fields, names, that scenes and panels can be read, that no option
-/// is given that the batch itself gives, that there are no more jobs and steps than the limits
-/// above. Takes time in proportion to the document and the steps. Throws InputError with line and
-/// field.
+/// Reads and checks a manifest: fields, names, the readability of scenes and panels, options that
+/// only the batch may set, the limits above on jobs and steps. Takes time in proportion to the
+/// document and the steps. Throws InputError with line and field.
 Manifest read_manifest(const std::string& path);
 
-/// A name of the manifest as a path: absolute as it is, else from its folder.
+/// A name in the manifest as a path: relative names start at `folder`.
 std::string path_in(const std::string& folder, const std::string& name);
 
 } // namespace integral

@@ -12,7 +12,7 @@
 namespace integral {
 namespace {
 
-constexpr char record_format[] = "1"; // another one makes every step's hash another
+constexpr char record_format[] = "1"; // a new value changes the hash of every step
 
 std::string folder_of(const std::string& path)
 {
@@ -47,7 +47,7 @@ BatchStep frame_step(const Manifest& manifest, const BatchJob& job)
         step.words.push_back("+W" + std::to_string(step.size.width));
         step.words.push_back("+H" + std::to_string(step.size.height));
     }
-    // One picture, without window, waiting or files of its own beside it; with progress.
+    // A single picture, without window, pause or files of its own; with progress.
     for (const char* word : {"+KFI1", "+KFF1", "-D", "-P", "-C", "+V"})
         step.words.push_back(word);
     step.words.push_back(manifest.frame_format == "exr" ? "+FE" : "+FN");
@@ -58,7 +58,7 @@ BatchStep frame_step(const Manifest& manifest, const BatchJob& job)
     return step;
 }
 
-/// Adds the files that options of a command name, as --icc FILE and --sheet=FILE do.
+/// Adds the files named by options of a command, as in --icc FILE and --sheet=FILE.
 void add_named_files(const Manifest& manifest, BatchStep& step, const Names& options)
 {
     for (const std::string& word : options) {
@@ -85,7 +85,8 @@ public:
         plan.frames.push_back(frame_);
     }
 
-    /// Adds what the command of `words` makes of the frame; `index` is the target's in its list.
+    /// Adds the step that runs the command `words` on the frame; `index` is the target's in its
+    /// list.
     void add(StepKind kind, const BatchTarget& target, int index, Names words)
     {
         const std::string name = manifest_.jobs[std::size_t(job_)].name + "." + target.name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A manifest with its plan and all else that running, submitting or reporting a batch needs.
+// A manifest with its plan and everything else for running, submitting or reporting a batch.
 #ifndef INTEGRAL_BATCH_PLANNED_BATCH_H
 #define INTEGRAL_BATCH_PLANNED_BATCH_H
 
@@ -9,7 +9,7 @@
 namespace integral {
 
 struct PlannedBatch {
-    /// Asks povray-integral for its version. Throws InputError if that cannot be run.
+    /// Runs povray-integral for its version. Throws InputError if that fails.
     explicit PlannedBatch(Manifest read);
     PlannedBatch(const PlannedBatch&) = delete; // inputs refers to manifest
     PlannedBatch& operator=(const PlannedBatch&) = delete;

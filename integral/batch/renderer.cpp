@@ -63,7 +63,7 @@ std::string reason_in(const std::string& said)
         begin = end + 1;
         const std::size_t error = line.find("rror:");
         if (error != std::string::npos) {
-            // A line goes on in those that begin with a blank.
+            // Lines that begin with a blank continue the line before.
             while (begin < said.size() && said[begin] == ' ') {
                 end = said.find('\n', begin);
                 end = end == std::string::npos ? said.size() : end;

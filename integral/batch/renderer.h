@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Runs povray-integral and finds the reason in what it prints.
+// Runs povray-integral and extracts the reason of a failure from its output.
 #ifndef INTEGRAL_BATCH_RENDERER_H
 #define INTEGRAL_BATCH_RENDERER_H
 
@@ -12,7 +12,7 @@
 
 namespace integral {
 
-/// A new folder for temporary files (in TMPDIR or /tmp), deleted with all that is in it at the end.
+/// A new folder for temporary files (in TMPDIR or /tmp), deleted with its content at the end.
 class ScratchFolder {
 public:
     /// Throws OutputError.
@@ -26,35 +26,35 @@ private:
     std::string path_;
 };
 
-/// povray-integral's path: the one beside this program, or else its bare name, to be looked for on
-/// PATH.
+/// povray-integral's path: next to this program, or else the bare name, for a search on PATH.
 std::string renderer_program();
 
-/// Has povray-integral take this program's place, with these words of its command line. Throws
-/// InputError if it cannot be run.
+/// Replaces this program by povray-integral with these words on its command line. Throws InputError
+/// if that cannot be run.
 [[noreturn]] void become_renderer(const std::vector<std::string>& words);
 
-/// The reason for a failure in what POV-Ray has printed: the sentence with "Error:", its broken
-/// lines joined; else the last line.
+/// The reason of a failure in POV-Ray's output: the sentence with "Error:", its broken lines
+/// joined; else the last line.
 std::string reason_in(const std::string& said);
 
-/// The error to throw if povray-integral cannot be run. `said` is what it or ChildProcess has
-/// printed.
+/// The error to throw if povray-integral cannot be run. `said` is its output or ChildProcess's
+/// message.
 InputError no_renderer(const std::string& said);
 
-/// The part of a frame that the renderer has done, by the last line of its progress in what it has
-/// printed to the file `said`; 0 where there is none.
+/// The finished share of a frame, from the last progress line of the renderer's output in the file
+/// `said`; 0 if there is none.
 double rendered_part(const std::string& said);
 
 /// The words of povray-integral's command line for a scene (names_scene): one picture of an
-/// animation, no window. A scene that is not here is one that povray-integral looks for, as after
-/// +I. Throws InputError for a pipe or a device, which can be read only once.
+/// animation, no window. povray-integral searches its library path for a scene that is not at this
+/// path. Throws InputError for a pipe or device, which can be read only once, and for a name that
+/// povray-integral cannot open.
 std::vector<std::string> scene_words(const std::string& scene);
 
-/// Runs povray-integral, the one beside this program or else the first on PATH, and waits for its
-/// end. What it prints goes to a file in `scratch`. If it fails, throws InputError with `what` (the
-/// scene's name) and the renderer's reason; Interrupted if it was interrupted. `progress` counts
-/// hundredths of the pixels, by what the renderer prints. Returns what it took.
+/// Runs povray-integral (renderer_program) and waits for its end. Its output goes to a file in
+/// `scratch`. Throws InputError with `what` (the scene's name) and the renderer's reason if it
+/// fails, Interrupted if it is interrupted. `progress` counts hundredths of the pixels, as the
+/// renderer prints them. Returns how it ended.
 ChildEnd render(const std::string& what, const std::vector<std::string>& options,
                 const ScratchFolder& scratch, const Progress& progress = {});
 

@@ -26,7 +26,7 @@ bool is_quote(char c) { return c == '"' || c == '\''; }
 
 bool begins(const std::string& text, const std::string& with) { return text.rfind(with, 0) == 0; }
 
-/// Reads a word from its begin to its end.
+/// Reads a word from beginning to end.
 struct Reader {
     const std::string& word;
     std::size_t at = 0;
@@ -39,8 +39,8 @@ struct Reader {
         at = std::min(word.find_first_of(ends, at), word.size());
         return word.substr(begin, at - begin);
     }
-    /// What stands in the quotation marks that begin here, up to the word's end if there is but
-    /// one.
+    /// Reads the text in the quotation marks that begin here, up to the word's end if the closing
+    /// mark is missing.
     std::string in_quotes()
     {
         const std::size_t begin = at + 1, end = std::min(word.find(word[at], begin), word.size());
@@ -144,7 +144,7 @@ std::vector<RendererOption> renderer_options_in(const std::string& word)
         }
         reader.at = begin;
         const std::string path = reader.until(value_ends);
-        if (path.empty()) // ; or #
+        if (path.empty()) // skips a ; or #
             ++reader.at;
         else
             all.push_back({Kind::path, "", path});

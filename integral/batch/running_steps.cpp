@@ -64,7 +64,7 @@ void RunningSteps::stop(const std::function<void(int step)>& ended)
             }
         poll(nullptr, 0, poll_milliseconds);
     }
-    running_.clear(); // kills those that still run
+    running_.clear(); // kills the remaining programs
 }
 
 } // namespace integral

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The programs that a batch runs at one time.
+// The programs that a batch runs concurrently.
 #ifndef INTEGRAL_BATCH_RUNNING_STEPS_H
 #define INTEGRAL_BATCH_RUNNING_STEPS_H
 
@@ -15,17 +15,17 @@
 
 namespace integral {
 
-/// A step whose program runs, or has ended and is not yet published.
+/// A step whose program is running, or whose output is finished but not yet published.
 struct RunningStep {
     using Clock = std::chrono::steady_clock;
 
-    int step; ///< in the plan
+    int step; ///< index in the plan
     ChildProcess child;
     LockFile lock;
     StepRecord record;
-    double memory; ///< bytes that it is expected to take
+    double memory; ///< bytes, as forecast
     Clock::time_point begun = Clock::now(), ended{};
-    ChildEnd end{}; ///< how it ended, once it has
+    ChildEnd end{}; ///< valid after the program's end
 };
 
 class RunningSteps {
@@ -36,13 +36,13 @@ public:
 
     std::vector<int> steps() const;
 
-    /// Looks which programs have ended since; they are no longer counted.
+    /// Removes and returns the steps whose programs have ended.
     std::list<RunningStep> take_ended();
-    /// What each of the programs takes.
+    /// The memory of each program.
     std::vector<MemoryUse> memory() const;
     void refresh_locks() const;
-    /// Asks all to end, gives them five seconds, and kills the rest. Calls `ended` for each step
-    /// whose program has ended when asked.
+    /// Sends SIGTERM to all programs, waits up to five seconds, and kills those still running.
+    /// Calls `ended` for each step whose program ended in that time.
     void stop(const std::function<void(int step)>& ended);
 
 private:

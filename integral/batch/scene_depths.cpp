@@ -12,8 +12,9 @@
 namespace integral {
 namespace {
 
-/// The number of a draft with a few thousand pixels. Of three that would do, the one whose pixels
-/// lie most differently behind their lenses, so that not all of them show the same view, or none.
+/// The draft number that leaves a few thousand pixels. Among three candidates, takes the one whose
+/// neighbouring pixels differ most in position behind their lenses: with equal positions, all
+/// pixels would show one view, or none.
 int draft_of_few_pixels(const Film& film, double lens_pitch)
 {
     constexpr double few = 8000;
@@ -32,7 +33,7 @@ int draft_of_few_pixels(const Film& film, double lens_pitch)
     return std::min(best, most_draft);
 }
 
-/// The film of the print that a frame is a draft of, to half a pixel of the draft.
+/// The film of the print of which this is a draft. Its size is exact to half a draft pixel.
 Film print_film(const FrameMetadata& metadata)
 {
     Film film = metadata.film;
@@ -49,7 +50,7 @@ InputError no_integral_camera(const std::string& scene)
                               "film{...}\" after it makes it so");
 }
 
-/// The frame of a scene, of which only the second row is rendered: 1 would be all.
+/// The metadata of a scene's frame. Renders only row 2, because +ER1 would mean all rows.
 FrameMetadata frame_of(const std::string& scene, std::vector<std::string> words,
                        const ScratchFolder& scratch)
 {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The depths of a scene, found before it is rendered.
+// Determines the depths of a scene before it is rendered.
 #ifndef INTEGRAL_BATCH_SCENE_DEPTHS_H
 #define INTEGRAL_BATCH_SCENE_DEPTHS_H
 
 #include "integral/base/parallel.h"
-#include "integral/lightfield/depth_range.h"
-#include "integral/lightfield/frame.h"
+#include "integral/frame/depth_range.h"
+#include "integral/frame/frame.h"
 
 #include <string>
 #include <vector>
@@ -18,10 +18,10 @@ struct SceneDepths {
 };
 
 /// Reads a depth frame (.exr); or has povray-integral trace a scene (names_scene) with one ray a
-/// pixel and quality 1, and reads the frames of that. `all_pixels`: trace the frame's own pixels,
-/// for a picture; otherwise a few thousand spread over it, and `colours` is empty. Either way the
-/// metadata are the print's, whether or not the frame is a draft of it. `options` are further words
-/// of povray-integral's command line. `progress` counts hundredths. Throws InputError.
+/// pixel and quality 1, and reads the resulting frames. `all_pixels`: traces every pixel, for a
+/// picture; otherwise a few thousand spread over the frame, and `colours` is empty. The metadata
+/// describe the print; but with `all_pixels`, a draft's .exr keeps its own film. `options`: further
+/// words for povray-integral. `progress` counts hundredths. Throws InputError.
 SceneDepths depths_of_scene(const std::string& path, const std::vector<std::string>& options,
                             bool all_pixels, const Progress& progress = {});
 

@@ -25,7 +25,7 @@ std::string from(const std::string& folder, const std::string& name)
     return name[0] == '/' ? name : folder + "/" + name;
 }
 
-/// Whether a file is a scene's text or settings, by its name. Others (pictures, fonts, meshes of
+/// Whether a file is a scene's text or settings, by its name. Other files (pictures, fonts, mesh
 /// data) name no files.
 bool names_files(const std::string& path)
 {
@@ -47,20 +47,19 @@ std::string trimmed(const std::string& text)
     return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-/// The folder that a line of settings adds to the library path, or "".
+/// The folder that a settings line adds to the library path, or "".
 std::string library_in(const std::string& line)
 {
     const auto equals = line.find('=');
-    const bool keyword = equals !=
-                         std::string::npos; // there may be blanks on both sides of the sign
+    const bool keyword = equals != std::string::npos; // blanks may surround the sign
     const std::string option = keyword ? trimmed(line.substr(0, equals)) + "=" +
                                              trimmed(line.substr(equals + 1))
                                        : line;
     return value_of_option({option}, "library_path", "l");
 }
 
-/// What may be names of files: all that stands in quotation marks within a line of a text; in
-/// settings, also what follows =.
+/// Possible names of files: every text in quotation marks within one line; in settings, also the
+/// text after =.
 std::vector<std::string> names_in(const std::string& text, bool settings)
 {
     std::vector<std::string> names;
@@ -74,8 +73,8 @@ std::vector<std::string> names_in(const std::string& text, bool settings)
             if (close == std::string::npos)
                 break;
             names.push_back(line.substr(open + 1, close - open - 1));
-            open = line.find('"', close); // the closing mark may open the next name in a line that
-                                          // a comment's mark shifted
+            open = line.find('"', close); // the closing mark may open the next name if a comment
+                                          // on the line contains a single mark
         }
         if (settings) {
             const std::string plain = trimmed(line.substr(0, line.find(';')));
@@ -154,7 +153,7 @@ private:
     std::vector<SceneFile> found_;
 };
 
-/// The settings that the renderer reads by itself: the first that exists.
+/// The settings file that the renderer reads by itself: the first that exists.
 std::string own_settings(const SceneSearch& search)
 {
     std::vector<std::string> places;

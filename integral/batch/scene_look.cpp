@@ -4,9 +4,9 @@
 #include "integral/batch/renderer.h"
 #include "integral/batch/renderer_options.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/sheet_report.h"
 #include "integral/replay/draft_frame.h"
 #include "integral/replay/replay.h"
+#include "integral/sheet/sheet_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +14,11 @@
 namespace integral {
 namespace {
 
-/// The number of the coarsest draft that leaves four pixels a lens, with which depth can be judged.
+/// The number of the coarsest draft with at least four pixels a lens, enough to judge depth.
 int draft_of_four_views(const FrameMetadata& print)
 {
     constexpr double least = 4, most_draft = 100; // of Integral_Draft=
-    const Counted across = counted(print);
+    const LensRowGeometry across = counted(print);
     return int(std::clamp(std::floor(across.period / across.pixel / least), 1.0, most_draft));
 }
 

@@ -2,6 +2,7 @@
 #include "integral/batch/slurm.h"
 
 #include "integral/base/file_bytes.h"
+#include "integral/base/programs.h"
 #include "integral/io/markup.h"
 
 #include <cerrno>
@@ -9,23 +10,19 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sstream>
-#include <sys/wait.h>
 #include <unistd.h>
-
-extern char** environ;
 
 namespace integral {
 namespace {
 
-/// What a program has printed, and its exit status.
+/// Output and exit status of a program.
 struct Said {
     int status;
     std::string output, errors;
 };
 
-/// A pipe; its ends are closed at the end.
+/// A pipe; the destructor closes its ends.
 struct Pipe {
     Pipe()
     {
@@ -67,44 +64,29 @@ void read_both(Pipe& first, std::string& first_text, Pipe& second, std::string& 
     }
 }
 
-/// Runs a program of Slurm's, by PATH, with `input` on its standard input: a script, shorter than a
-/// pipe holds.
-Said run(std::vector<std::string> words, const std::string& input = "")
+/// Runs a Slurm program, found on PATH, with `input` on its standard input: a script shorter than a
+/// pipe's buffer.
+Said run(const std::vector<std::string>& words, const std::string& input = "")
 {
-    std::vector<char*> arguments;
-    for (std::string& word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
     Pipe in, out, errors;
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, in.ends[0], 0);
-    posix_spawn_file_actions_adddup2(&actions, out.ends[1], 1);
-    posix_spawn_file_actions_adddup2(&actions, errors.ends[1], 2);
-    pid_t child;
-    const int failed = posix_spawnp(&child, words[0].c_str(), &actions, nullptr, arguments.data(),
-                                    environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failed)
-        throw InputError(words[0] + ": it cannot be run: " + std::strerror(failed) +
+    const StartedProgram child = start_program(words, in.ends[0], out.ends[1], errors.ends[1]);
+    if (child.error)
+        throw InputError(words[0] + ": it cannot be run: " + std::strerror(child.error) +
                          "; batches on a cluster need Slurm's own programs on PATH (Debian's "
                          "package slurm-client)");
     in.shut(0);
     out.shut(1);
     errors.shut(1);
     if (!input.empty() && write(in.ends[1], input.data(), input.size()) != ssize_t(input.size()))
-        errno = 0; // it has ended already, and says why
+        errno = 0; // the program has ended already, and its output has the reason
     in.shut(1);
     Said said{0, "", ""};
     read_both(out, said.output, errors, said.errors);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-        ;
-    said.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    said.status = wait_for_program(child.process);
     return said;
 }
 
-/// One line of what a program complained of.
+/// The messages of a program, joined to one line.
 std::string reason_of(const Said& said)
 {
     std::string text = said.errors.empty() ? said.output : said.errors;
@@ -129,13 +111,13 @@ std::string joined(const std::vector<std::string>& words, char separator)
     return text;
 }
 
-/// Whether Slurm says that it does not know a job: it forgets jobs some minutes after their end.
+/// Whether Slurm does not know a job: it forgets jobs some minutes after their end.
 bool says_unknown(const Said& said)
 {
     return said.errors.find("Invalid job id") != std::string::npos;
 }
 
-/// What squeue prints in slurm_queue's format.
+/// Parses squeue's output in slurm_queue's format.
 std::vector<SlurmTask> tasks_in(const std::string& text)
 {
     std::vector<SlurmTask> tasks;
@@ -158,8 +140,8 @@ std::vector<SlurmTask> tasks_in(const std::string& text)
 
 bool has_backslash(const std::string& text) { return text.find('\\') != std::string::npos; }
 
-/// Slurm's pattern for the files that tasks' words go to. A folder's own % is written %%. Where
-/// there is a backslash, Slurm leaves all patterns as they are: then the script names the file.
+/// Slurm's pattern for the names of the tasks' output files. A % in the folder's name is written
+/// %%. Slurm expands no pattern with a backslash; redirection() then names the file in the script.
 std::string log_pattern(const std::string& folder)
 {
     if (has_backslash(folder))
@@ -170,7 +152,7 @@ std::string log_pattern(const std::string& folder)
     return pattern + "/%A_%a.txt";
 }
 
-/// What a task's script has to begin with, for a folder that no pattern can name.
+/// The first line of a task's script if no pattern can name the folder; otherwise empty.
 std::string redirection(const std::string& folder)
 {
     if (!has_backslash(folder))
@@ -219,7 +201,7 @@ int slurm_array_limit()
     if (said.status != 0 || place == std::string::npos)
         refuse("scontrol", said);
     const int limit = std::atoi(said.output.c_str() + said.output.find('=', place) +
-                                1); // of indices: one more than the largest
+                                1); // the largest index plus 1
     if (limit < 1)
         throw InputError("scontrol: Slurm allows no job arrays here (MaxArraySize is " +
                          std::to_string(limit) + ")");

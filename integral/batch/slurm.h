@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Calls Slurm through its own programs: sbatch, squeue, scancel, scontrol. If they are missing, a
-// message says so; no library of Slurm's is linked.
+// Calls Slurm through its own programs: sbatch, squeue, scancel, scontrol. If they are missing, an
+// error names the package; no Slurm library is linked.
 #ifndef INTEGRAL_BATCH_SLURM_H
 #define INTEGRAL_BATCH_SLURM_H
 
@@ -9,26 +9,26 @@
 
 namespace integral {
 
-/// A request for sbatch: an array of tasks. An empty text is the cluster's default.
+/// A request to sbatch: an array of tasks. An empty text stands for the cluster's default.
 struct SlurmRequest {
     std::string name; ///< as squeue shows it
     std::string partition, time, memory;
     int cpus = 1;                     ///< of each task
-    std::vector<std::string> options; ///< more of sbatch's own
+    std::vector<std::string> options; ///< further options of sbatch
     int tasks = 1;                    ///< of the array, numbered from 0
-    std::vector<std::string> after; ///< jobs that must have ended, well or not, before this begins
-    std::string log_folder;         ///< what task T of job J prints goes to J_T.txt there
-    std::string folder;             ///< in which the tasks run
-    std::string commands;           ///< for /bin/sh
+    std::vector<std::string> after;   ///< jobs that must end, well or not, before this begins
+    std::string log_folder;           ///< the output of task T of job J goes to J_T.txt there
+    std::string folder;               ///< working folder of the tasks
+    std::string commands;             ///< for /bin/sh
 };
 
 /// Submits an array and returns its number. Throws InputError with sbatch's reason.
 std::string slurm_submit(const SlurmRequest& request);
 
-/// The most tasks that one array may have here. Throws InputError.
+/// The maximum number of tasks in one array here. Throws InputError.
 int slurm_array_limit();
 
-/// One task of an array that waits or runs.
+/// One waiting or running task of an array.
 struct SlurmTask {
     std::string job; ///< the array's number
     int task = 0;
@@ -36,11 +36,11 @@ struct SlurmTask {
     std::string reason; ///< why it waits, "None" if it does not
 };
 
-/// Those of the jobs' tasks that have not ended. Jobs that Slurm has forgotten have ended. Throws
+/// The jobs' tasks that have not ended. Jobs that Slurm has forgotten count as ended. Throws
 /// InputError.
 std::vector<SlurmTask> slurm_queue(const std::vector<std::string>& jobs);
 
-/// Takes arrays, or tasks of them ("12_3"), from the queue and ends what runs of them. Throws
+/// Removes arrays, or tasks of them ("12_3"), from the queue and ends their running tasks. Throws
 /// InputError.
 void slurm_cancel(const std::vector<std::string>& jobs);
 

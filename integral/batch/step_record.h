@@ -12,26 +12,26 @@ enum class StepState { none, running, done, failed };
 const char* name_of(StepState state);
 
 struct StepRecord {
-    StepState state = StepState::none; ///< running: also where its batch was killed
-    int starts = 0;                    ///< how often it was begun, in all
-    std::string inputs;                ///< hash of what it read
-    std::string output;                ///< hash of what it made; empty unless done
-    double bytes = 0;                  ///< of the output
+    StepState state = StepState::none; ///< stays `running` if its batch was killed
+    int starts = 0;                    ///< number of starts, in all
+    std::string inputs;                ///< hash of its inputs
+    std::string output;                ///< hash of its output; empty unless done
+    double bytes = 0;                  ///< size of the output
     double seconds = 0;                ///< of the last run, by the clock
-    double memory = 0;                 ///< the most that its process took, bytes
+    double memory = 0;                 ///< maximum of its process, bytes
     double pixels = 0;                 ///< of the frame
     double render_seconds = 0;         ///< of a frame, by its metadata
     std::optional<double> error;       ///< a frame's estimated RMS error
     std::string finished, host;        ///< when (UTC, ISO 8601) and where
     std::string reason;                ///< of the failure, one line
-    std::string remark; ///< a message of its program about the frame, though it was made; one line,
+    std::string remark; ///< a warning about the frame, from a step that succeeded; one line,
                         ///< mostly empty
 };
 
-/// Reads a record; an empty one if the file is missing or holds no record.
+/// Reads a record; returns an empty one if the file is missing or holds no record.
 StepRecord read_record(const std::string& path);
 
-/// Writes a record, whole or not at all. Throws OutputError.
+/// Writes a record atomically. Throws OutputError.
 void write_record(const std::string& path, const StepRecord& record);
 
 } // namespace integral

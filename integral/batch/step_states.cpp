@@ -92,7 +92,7 @@ void StepStates::set_failed(int i, const std::string& reason)
     });
 }
 
-/// Notes that a step has ended, and tells of its job if that has.
+/// Counts the end of a step, and reports the end of its job if this was the last step.
 void StepStates::count_end(int i, bool failed, double seconds)
 {
     if (!meter_)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What a run of a batch knows of its steps: which are pending, how the others ended, what they have
-// made, and what was said of them.
+// The states of a batch's steps during a run: which steps are pending, how the finished steps
+// ended, what they made, and what was reported.
 #ifndef INTEGRAL_BATCH_STEP_STATES_H
 #define INTEGRAL_BATCH_STEP_STATES_H
 
@@ -12,10 +12,10 @@
 namespace integral {
 
 enum class StepFate {
-    waiting, ///< not yet looked at, or to be done
-    kept,    ///< its output was there already, made of the same inputs
+    waiting, ///< not yet examined, or to be done
+    kept,    ///< its output existed already, from the same inputs
     made,
-    copied, ///< another step of the same inputs made it
+    copied, ///< another step made the output from the same inputs
     failed,
     blocked, ///< its frame failed
 };
@@ -26,11 +26,11 @@ struct StepResult {
     std::string reason; ///< of a failure
 };
 
-/// The states of a plan's steps. A step is named by its index in the plan. Plan and reporter must
+/// States of a plan's steps. A step is identified by its index in the plan. Plan and reporter must
 /// outlive this.
 class StepStates {
 public:
-    /// Steps of the `jobs` (indices) are pending; of all jobs if `jobs` is empty.
+    /// The steps of `jobs` (indices) are pending; all steps if `jobs` is empty.
     StepStates(const BatchPlan& plan, const std::set<int>& jobs, const BatchReporter& reporter);
 
     const BatchStep& step(int i) const { return plan_.steps[std::size_t(i)]; }
@@ -38,36 +38,36 @@ public:
     StepFate fate(int i) const { return results_[std::size_t(i)].fate; }
     const std::vector<StepResult>& results() const { return results_; }
 
-    /// A copy of the list of pending steps, in the order in which they are to start.
+    /// A copy of the list of pending steps, in starting order.
     std::vector<int> pending() const { return {pending_.begin(), pending_.end()}; }
     bool none_pending() const { return pending_.empty(); }
-    /// How many pending steps other than `i` could start at once.
+    /// Number of pending steps other than `i` that could start now.
     int ready_beside(int i) const;
 
-    /// Whether the frame that a step reads is there, or the step reads none.
+    /// Whether the frame that a step reads is ready; true if it reads none.
     bool has_its_frame(const BatchStep& step) const;
-    /// The hash of the frame that a step reads; "" if it reads none. The frame must be there.
+    /// The hash of the frame that a step reads; "" if it reads none. The frame must be ready.
     std::string frame_hash(const BatchStep& step) const;
 
-    /// The step that makes, or has made, the output of these inputs.
+    /// The step that makes, or has made, the output from these inputs.
     std::optional<int> maker(const std::string& inputs_hash) const;
     bool has_output(int i) const { return outputs_.count(i) > 0; }
 
     /// Sorts the pending steps, and begins to report the ends of jobs. `jobs` must outlive this.
     void begin(const std::vector<BatchJob>& jobs, const BatchFolder& folder);
-    /// How far the work is; see WorkMeter::state. Only after begin.
+    /// Progress of the work; see WorkMeter::state. Only after begin.
     BatchState work(const std::map<int, double>& running, double seconds) const;
 
-    /// A pending step's program starts, so the step is no longer pending.
+    /// Removes a step from the pending ones, as its program starts.
     void set_running(int i, const std::string& inputs_hash);
     void set_finished(int i, StepFate fate, const StepRecord& record);
-    /// Also blocks the steps that read what this one should have made.
+    /// Also blocks the steps that read this step's output.
     void set_failed(int i, const std::string& reason);
-    /// Puts a step whose program has failed first among the pending ones.
+    /// Puts a step whose program has failed back, before all pending steps.
     void set_pending_again(int i) { pending_.push_front(i); }
 
-    /// Says a line of a step on standard error; say_once, unless it was the last that say_once
-    /// said of that step.
+    /// Prints a line about a step to standard error; say_once omits a line that equals its last
+    /// line for that step.
     void say(int i, const std::string& what) const;
     void say_once(int i, const std::string& what);
 
@@ -78,12 +78,12 @@ private:
     const BatchPlan& plan_;
     const BatchReporter& reporter_;
     std::vector<StepResult> results_;
-    std::vector<std::string> said_; ///< what was last said of each step that waits
+    std::vector<std::string> said_; ///< for each step, the last line of say_once
     std::list<int> pending_;
     std::map<int, std::string> outputs_;   ///< hashes of finished steps' outputs
-    std::map<std::string, int> by_inputs_; ///< by hash of inputs, the step that makes or has made
-                                           ///< the output of them
-    std::optional<WorkMeter> meter_;       ///< of what this run has to do
+    std::map<std::string, int> by_inputs_; ///< hash of inputs to the step that makes or has made
+                                           ///< the output
+    std::optional<WorkMeter> meter_;       ///< of this run's work
 };
 
 } // namespace integral

@@ -50,7 +50,7 @@ namespace {
 
 bool is_exr(const std::string& bytes) { return bytes.compare(0, 4, "\x76\x2f\x31\x01") == 0; }
 
-/// A picture of either format.
+/// Decodes a picture of either format.
 DecodedImage picture_of(const std::string& path, const std::string& bytes)
 {
     try {
@@ -67,7 +67,7 @@ void write_as(bool exr, const DecodedImage& picture, const std::string& path)
     write_file(path, exr ? encode_exr(picture) : encode_png(picture));
 }
 
-/// Copies `rows` rows, of pictures of one width and form.
+/// Copies `rows` rows between pictures of equal width and format.
 void copy_rows(const Image& from, int first, int rows, Image& to, int to_first)
 {
     std::visit(
@@ -80,10 +80,10 @@ void copy_rows(const Image& from, int first, int rows, Image& to, int to_first)
         from.samples);
 }
 
-/// A strip's file.
+/// The content of a strip's file.
 struct StripFile {
     DecodedImage picture; ///< its document is the whole frame's
-    int first, height;    ///< the first of its rows in the frame, and the frame's height
+    int first, height;    ///< the strip's first row in the frame, and the frame's height
     bool exr;
 };
 
@@ -111,7 +111,7 @@ StripFile read_strip(const std::string& path)
     return strip;
 }
 
-/// A frame's metadata without what differs from strip to strip.
+/// A frame's metadata without the fields that differ between strips.
 std::string common_part(FrameMetadata metadata)
 {
     if (metadata.render) {
@@ -121,7 +121,7 @@ std::string common_part(FrameMetadata metadata)
     return to_json(metadata);
 }
 
-/// Joins the documents of strips to that of their frame.
+/// Joins the documents of strips to their frame's document.
 class Documents {
 public:
     void add(const std::string& path, const StripFile& strip)
@@ -226,7 +226,7 @@ void merge_strips(const std::vector<std::string>& strips, const std::string& out
 
 ErrorEstimate combined(const std::vector<ErrorEstimate>& strips)
 {
-    constexpr double bias = 0.1; // part of the mean square: what estimate() allows for
+    constexpr double bias = 0.1; // part of the mean square, as in estimate()
     double mean = 0, down = 0, up = 0;
     long long total = 0;
     for (const ErrorEstimate& strip : strips)
@@ -254,14 +254,14 @@ ErrorEstimate combined(const std::vector<ErrorEstimate>& strips)
 
 namespace {
 
-/// The words of a scene's text, without comments and strings.
+/// Adds the words of a scene's text, except comments and strings.
 void add_words(const std::string& text, std::set<std::string>& words)
 {
     const auto at = [&](std::size_t k, const char* what) { return text.compare(k, 2, what) == 0; };
     for (std::size_t k = 0; k < text.size();) {
         if (at(k, "//")) {
             k = std::min(text.find('\n', k), text.size());
-        } else if (at(k, "/*")) { // which POV-Ray nests
+        } else if (at(k, "/*")) { // POV-Ray nests these comments
             int depth = 0;
             do {
                 depth += at(k, "/*") ? 1 : at(k, "*/") ? -1 : 0;

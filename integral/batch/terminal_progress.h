@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Shows how far a batch is.
+// Shows the progress of a batch.
 #ifndef INTEGRAL_BATCH_TERMINAL_PROGRESS_H
 #define INTEGRAL_BATCH_TERMINAL_PROGRESS_H
 
@@ -7,8 +7,8 @@
 
 namespace integral {
 
-/// On a terminal a bar on standard error, with the jobs at work and the time left; else a line for
-/// each job that has ended. Stops the batch if interrupted.
+/// Draws a bar on a terminal's standard error, with the running jobs and the time left; elsewhere
+/// prints a line for each ended job. Stops the batch if interrupted.
 BatchReporter batch_reporter();
 
 } // namespace integral

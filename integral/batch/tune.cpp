@@ -9,7 +9,7 @@
 #include "integral/batch/strips.h"
 #include "integral/io/image_file.h"
 #include "integral/io/markup.h"
-#include "integral/lightfield/pass_rows.h"
+#include "integral/reconstruction/pass_rows.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,14 +22,14 @@ namespace integral {
 namespace {
 
 constexpr int most_bands = 5;
-constexpr int blocks_a_band = 3; // a band of one block's rows for so many
+constexpr int blocks_a_band = 3; // rows of blocks in the frame per band; a band is one block high
 
-/// A ladder of one kind of settings, from cheap to dear.
+/// A ladder of one kind of settings, from cheap to expensive.
 struct Chain {
     std::vector<TuneSetting> settings;
-    double dearer; ///< about how many times the seconds of the next setting are
+    double dearer; ///< approximate ratio of the seconds of successive settings
     std::size_t next = 0;
-    double expected = 0; ///< seconds of the next one
+    double expected = 0; ///< seconds of the next setting
 };
 
 TuneSetting samples(int pixel, int beam)
@@ -58,7 +58,7 @@ std::string camera_in(const std::vector<std::string>& options)
     return without_quotes(value_of_option(options, "integral_camera", ""));
 }
 
-/// The option with the camera's words that there are, and a setting's.
+/// Integral_Camera= with the existing words of the camera, then a setting's.
 std::string camera_option(const std::string& camera, const TuneSetting& setting)
 {
     return "Integral_Camera=" + camera + (camera.empty() ? "" : " ") + setting.camera;
@@ -68,7 +68,7 @@ std::string camera_option(const std::string& camera, const TuneSetting& setting)
 struct Run {
     FrameMetadata metadata;
     double seconds = 0;   ///< from the first ray to the last
-    double parsing = 0;   ///< before and after them, without the estimate of the error
+    double parsing = 0;   ///< before and after the tracing, without the estimate of the error
     double auditing = 0;  ///< for the estimate of the error
     double processor = 0; ///< of all processors together, for everything
 };
@@ -92,7 +92,7 @@ public:
         bands_ = std::clamp((blocks + blocks_a_band - 1) / blocks_a_band, 1, most_bands);
     }
 
-    /// Renders the bands at a setting. Calls `piece` after each.
+    /// Renders the bands at a setting. Calls `piece` after each band.
     template <class Piece> TunePoint measure(const TuneSetting& setting, Piece piece)
     {
         const bool antialias = setting.options[0] != "-A";
@@ -120,8 +120,9 @@ public:
         return {setting, combined(errors), 0, 0};
     }
 
-    /// Foretells the time of each point that has been measured. The seconds of the processors tell
-    /// the settings apart, whatever else runs; those of the clock are in proportion, by all runs.
+    /// Predicts the time of each measured point. Uses processor seconds, which do not depend on the
+    /// machine's other load, and scales them to clock seconds by the ratio of the two over all
+    /// runs.
     void foretell(std::vector<TunePoint>& points) const
     {
         const double clock = clock_ > 0 && processor_ > 0 ? clock_ / processor_ : 1;
@@ -152,8 +153,8 @@ private:
         return clock > 0 ? rendering * part.seconds / clock : 0;
     }
 
-    /// What of a band's work its own rows take. Of the rows beside them the nearer ones are
-    /// refined, too, and the others have their first samples alone.
+    /// The part of a band's processor seconds that its own rows take. Of the rows rendered around
+    /// the band, the nearer ones are refined, too; the farther ones get only their first samples.
     double work_of_rows(const RowStrip& band, double work) const
     {
         const double beside = std::min(band.above, reach_) + band.below,
@@ -162,7 +163,7 @@ private:
         return band.rows * (first_samples_ + refining / (band.rows + refined));
     }
 
-    /// Bands of one block's rows, spread evenly over the frame's height.
+    /// Bands one block high, spread evenly over the frame's height.
     std::vector<RowStrip> bands(int reach) const
     {
         const int blocks = (film_.height + usual_block_side - 1) / usual_block_side;
@@ -173,8 +174,8 @@ private:
         return chosen;
     }
 
-    /// Seconds of the whole frame's audit, which looks at a share of the lit pixels, or at a fixed
-    /// number where the share is less.
+    /// Predicts the clock seconds of the whole frame's audit, assuming that it examines 0.5% of the
+    /// lit pixels (those with rays), or as many as in the first band if that is more.
     double audit_of_frame(const std::vector<ErrorEstimate>& errors, double seconds,
                           double rows) const
     {
@@ -222,16 +223,16 @@ private:
     std::vector<std::string> options_;
     std::string camera_;
     Film film_;
-    int reach_ = 0, refined_ = 0; ///< rows beside a band with samples, and those that are refined
+    int reach_ = 0, refined_ = 0; ///< rows next to a band that are sampled, and that are refined
     int bands_ = 1, rows_ = 0;
-    /// Seconds of a render of one row: parsing; tracing; everything, of all processors.
+    /// Seconds of a one-row render: parsing; tracing; everything, of all processors.
     double parsing_ = 0, start_ = 0, start_processor_ = 0;
     double first_samples_ = 0;         ///< processors' seconds of a row with one ray a pixel
     double clock_ = 0, processor_ = 0; ///< seconds of all tracing so far
     std::vector<Cost> costs_;          ///< in the order of measuring
 };
 
-/// An option of which tune has no use. Names in small letters: see values_of_option.
+/// An option that tune rejects. Names in lower case: see values_of_option.
 struct UnfitOption {
     const char *keyword, *letters, *shown, *why;
 };
@@ -285,7 +286,7 @@ void check_options(const std::string& scene, const std::vector<std::string>& opt
                                             "after the scene's name instead");
 }
 
-/// Whether the next setting of a chain may still be better than what has been found.
+/// Whether the next setting of a chain may still be better than the points so far.
 bool worth_measuring(const Chain& chain, const std::vector<TunePoint>& points, const TuneGoal& goal)
 {
     if (chain.next >= chain.settings.size())
@@ -296,7 +297,7 @@ bool worth_measuring(const Chain& chain, const std::vector<TunePoint>& points, c
     return !(goal.error && best && chain.expected >= points[*best].seconds);
 }
 
-/// A word of a command line to paste: quoted only where a shell would read it otherwise.
+/// A word of a command line to paste, quoted only where a shell would read it otherwise.
 std::string pasted(const std::string& word)
 {
     return word.find_first_of(" \"'$`\\<>|&;(){}[]*?#~!") == std::string::npos ? word
@@ -348,8 +349,8 @@ TuneResult tune(const std::string& scene, const std::vector<std::string>& option
         points.push_back(measurement.measure(cheapest->settings[cheapest->next++], piece));
         measurement.foretell(points);
         cheapest->expected = points.back().seconds * cheapest->dearer;
-        // +A0.3 comes next: of all settings it gives most for its time on nearly every scene
-        // (doc/error-against-time.md). Only where one ray a pixel is good enough is it left out.
+        // Try +A0.3 next: it gives the best error for its time on nearly every scene
+        // (doc/error-against-time.md). Skip +A0.3 only if one ray a pixel is good enough.
         if (points.size() == 1)
             ladder[1].expected = points[0].seconds;
     }

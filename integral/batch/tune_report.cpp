@@ -55,8 +55,8 @@ std::string goal_text(const TuneGoal& goal)
     return text;
 }
 
-/// The point that comes nearest to a goal that none reaches: the one with the least error, or the
-/// fastest where time alone is the goal.
+/// The point nearest to a goal that none reaches: the one with the least error, or the fastest if
+/// time alone is the goal.
 const TunePoint& nearest(const TuneGoal& goal, const TuneResult& result)
 {
     return *std::min_element(result.points.begin(), result.points.end(),

@@ -17,7 +17,7 @@ namespace integral {
 std::string tune_text(const std::string& scene, const std::vector<std::string>& options,
                       const TuneGoal& goal, const TuneResult& result);
 
-/// The same figures.
+/// The figures of tune_text as JSON.
 nlohmann::ordered_json tune_json(const std::string& scene, const std::vector<std::string>& options,
                                  const TuneGoal& goal, const TuneResult& result);
 

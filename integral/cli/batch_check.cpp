@@ -12,23 +12,23 @@ namespace integral {
 namespace {
 
 constexpr int most_pixels_a_side = 1000000;
-constexpr double usual_view = 1000 * 1000; // pixels, if --size does not give them
+constexpr double usual_view = 1000 * 1000; // pixels, if --size is not given
 
-/// A panel's file, or the name that integral lcd knows.
+/// A panel's file, or its name for integral lcd.
 std::string file_of(const Manifest& manifest, const BatchTarget& panel)
 {
     return extension_of(panel.what) == "json" ? path_in(manifest.folder, panel.what) : panel.what;
 }
 
-/// A target's options as its command reads them, behind the words `own`; for the check, with an
-/// input and an output. Throws UsageError.
+/// Reads a target's options as its command does, to check them. Puts the words `own` before them,
+/// and sample names of an input and an output after them. Throws UsageError.
 template <class Options>
-Options options_of(const Command& command, const BatchTarget& target, Words own = {})
+Options options_of(const Command& command, const BatchTarget& target, Arguments own = {})
 {
     own.insert(own.end(), target.options.begin(), target.options.end());
     own.insert(own.end(), {"frame.png", "--output", "output." + target.format});
     Options read = read_options<Options>(own);
-    if (read.inputs.size() > 1) // an option that is none
+    if (read.inputs.size() > 1) // a word that is no option
         throw UsageError(read.inputs[0] + ": an option of integral " + command.name +
                          " is expected");
     return read;
@@ -39,7 +39,7 @@ LcdOptions lcd_options_of(const BatchTarget& target, const std::string& panel)
     return options_of<LcdOptions>(lcd_command, target, {"--panel", panel});
 }
 
-/// Calls `check`; what it throws becomes InputError, with its place in the manifest before it.
+/// Calls `check` and turns its exceptions into InputError, prefixed by the place in the manifest.
 template <class Check>
 void check_at(const std::string& place, const Command& command, const Check& check)
 {
@@ -93,7 +93,7 @@ double page_pixels(const BatchTarget& paper, Vec2 pixel_pitch)
 
 double panel_pixels(const BatchTarget& target, const std::string& file)
 {
-    constexpr double views = 4; // of --size, in memory beside the image
+    constexpr double views = 4; // as large as --size, in memory with the image
     const LcdRequest request = lcd_request(lcd_options_of(target, file));
     const Panel panel = panel_of(request);
     return double(panel.film.width) * panel.film.height +
@@ -134,7 +134,7 @@ double output_pixels(const Manifest& manifest, const BatchStep& step, Vec2 pixel
                                 file_of(manifest, manifest.panels[target]));
         if (step.kind == StepKind::preview)
             return preview_pixels(manifest.previews[target]);
-    } catch (const UsageError&) { // its command says what is wrong
+    } catch (const UsageError&) { // reported by the command itself
     } catch (const InputError&) {
     }
     return usual_view;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Checks a manifest's papers, panels and previews by the commands that make them.
+// Checks a manifest's papers, panels and previews with the code of the commands that make them.
 #ifndef INTEGRAL_CLI_BATCH_CHECK_H
 #define INTEGRAL_CLI_BATCH_CHECK_H
 
@@ -8,12 +8,12 @@
 
 namespace integral {
 
-/// Throws InputError, with line and field, for a paper, a panel or an option that the commands
-/// do not know. Says on standard error what a panel's calibration lacks.
+/// Throws InputError, with line and field, for a paper, panel or option that its command rejects.
+/// Warns on standard error of assumed values in a panel's calibration.
 void check_targets(const Manifest& manifest);
 
-/// An OutputPixels of batch/batch_memory.h. Of a PDF file 0: it holds the frame itself. A panel's
-/// image counts with its views if --size gives theirs.
+/// An OutputPixels (batch/batch_memory.h). A PDF file counts as 0, because it contains the frame's
+/// own pixels. A panel's image counts with four views if --size gives the views' size.
 double output_pixels(const Manifest& manifest, const BatchStep& step, Vec2 pixel_pitch);
 
 } // namespace integral

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral batch: many frames, and what is made of them.
+// integral batch: many frames, and the pictures made from them.
 #include "integral/base/file_bytes.h"
 #include "integral/base/number_text.h"
 #include "integral/batch/batch_junit.h"
@@ -22,24 +22,24 @@
 namespace integral {
 namespace {
 
-constexpr int most_at_once = 4096; // programs here, and cores of a task
+constexpr int most_at_once = 4096; // of --jobs and of --cpus
 constexpr int most_retries = 100;
 constexpr int most_strips = 10000;
 
 struct BatchOptions : CommonOptions {
-    Words only;
+    Arguments only;
     std::optional<int> jobs;
     std::optional<std::string> memory, junit;
     int retry = 0;
     bool dry_run = false, summary = false, json = false;
 
-    // A cluster
+    // Cluster:
     bool slurm = false, follow = false, cancel = false;
     std::optional<int> strips, cpus;
     std::optional<std::string> partition, time;
-    Words sbatch;
+    Arguments sbatch;
 
-    // What --slurm has its tasks do
+    // Commands of the tasks that --slurm submits:
     std::optional<std::string> strip, merge;
 };
 
@@ -108,7 +108,7 @@ RunOptions run_options(const BatchOptions& o, const Manifest& manifest)
     if (o.memory) {
         run.memory = parse_number("memory", *o.memory, "a number of MB") * (1 << 20);
         if (!(run.memory > 0))
-            refuse("memory", *o.memory, "more than 0 MB");
+            throw_usage("memory", *o.memory, "more than 0 MB");
     }
     run.output_pixels = output_pixels;
     for (const std::string& name : o.only)
@@ -116,7 +116,7 @@ RunOptions run_options(const BatchOptions& o, const Manifest& manifest)
     return run;
 }
 
-/// Refuses options for a cluster that do not go together, or without --slurm.
+/// Rejects cluster options that exclude each other or need --slurm.
 void check_cluster_options(const BatchOptions& o)
 {
     if (o.cancel && (o.slurm || o.follow))
@@ -128,11 +128,11 @@ void check_cluster_options(const BatchOptions& o)
         return;
     if (o.cpus)
         throw UsageError("--cpus is for --slurm; --jobs says how many programs run here");
-    refuse_given({{"strips", o.strips},
-                  {"partition", o.partition},
-                  {"time", o.time},
-                  {"sbatch", !o.sbatch.empty()}},
-                 "is for --slurm");
+    throw_if_given({{"strips", o.strips},
+                    {"partition", o.partition},
+                    {"time", o.time},
+                    {"sbatch", !o.sbatch.empty()}},
+                   "is for --slurm");
 }
 
 ClusterOptions cluster_options(const BatchOptions& o)
@@ -149,9 +149,9 @@ ClusterOptions cluster_options(const BatchOptions& o)
 }
 
 /// --slurm. Returns whether every job was submitted.
-bool submit(PlannedBatch& batch, const RunOptions& wanted, const ClusterOptions& cluster)
+bool submit(PlannedBatch& batch, const RunOptions& requested, const ClusterOptions& cluster)
 {
-    const Submitted submitted = submit_batch(batch, wanted, cluster);
+    const Submitted submitted = submit_batch(batch, requested, cluster);
     std::cout << counted(submitted.tasks, "task") << " submitted, " << submitted.queued_before
               << " in the queue before\n"
               << std::flush;
@@ -159,7 +159,7 @@ bool submit(PlannedBatch& batch, const RunOptions& wanted, const ClusterOptions&
 }
 
 /// --strip JOB:K
-int make_strip(PlannedBatch& batch, const std::string& text, const RunOptions& wanted)
+int make_strip(PlannedBatch& batch, const std::string& text, const RunOptions& requested)
 {
     constexpr std::size_t most_digits = 6;
     const auto colon = text.rfind(':');
@@ -168,30 +168,30 @@ int make_strip(PlannedBatch& batch, const std::string& text, const RunOptions& w
         number.find_first_not_of("0123456789") != std::string::npos)
         throw UsageError("--strip " + text + ": JOB:K is expected, K from 1 on");
     const int job = job_called("strip", text.substr(0, colon), batch.manifest);
-    const bool made = render_strip(batch, job, std::stoul(number), wanted, batch_reporter());
+    const bool made = render_strip(batch, job, std::stoul(number), requested, batch_reporter());
     return made ? exit_done : exit_check_failed;
 }
 
-/// --merge JOB: returns whether the frame is made, having said why not. Its job is the only one to
-/// run then.
-bool merge_job(PlannedBatch& batch, const std::string& name, RunOptions& wanted)
+/// --merge JOB: returns whether the frame is made, and prints the reason if not. Limits `requested`
+/// to this job.
+bool merge_job(PlannedBatch& batch, const std::string& name, RunOptions& requested)
 {
     const int job = job_called("merge", name, batch.manifest);
     const std::string reason = merge_frame(batch, job);
     if (!reason.empty())
         say("batch", batch.frame_of(job).name + ": " + reason);
-    wanted.jobs = {job};
+    requested.jobs = {job};
     return reason.empty();
 }
 
-/// Runs the batch, or looks at what is there, and reports.
-int run_and_report(PlannedBatch& batch, const RunOptions& wanted, const BatchOptions& o)
+/// Runs the batch, or only surveys its outputs, and reports.
+int run_and_report(PlannedBatch& batch, const RunOptions& requested, const BatchOptions& o)
 {
     const bool only_summary = o.summary || o.follow;
-    const auto results = o.dry_run || only_summary ? survey(batch, wanted)
-                                                   : run_batch(batch, wanted, batch_reporter());
-    const auto summary = batch_summary(batch.manifest, batch.plan, results, wanted.jobs);
-    if (!o.dry_run && wanted.jobs.empty())
+    const auto results = o.dry_run || only_summary ? survey(batch, requested)
+                                                   : run_batch(batch, requested, batch_reporter());
+    const auto summary = batch_summary(batch.manifest, batch.plan, results, requested.jobs);
+    if (!o.dry_run && requested.jobs.empty())
         write_summary(batch.folder, summary);
     if (o.junit)
         write_file(*o.junit, batch_junit(batch, summary));
@@ -216,27 +216,27 @@ int run(const BatchOptions& o)
         check_writable(*o.junit);
     Manifest manifest = read_manifest(o.inputs[0]);
     check_targets(manifest);
-    RunOptions wanted = run_options(o, manifest);
+    RunOptions requested = run_options(o, manifest);
     check_cluster_options(o);
     const ClusterOptions cluster = o.slurm ? cluster_options(o) : ClusterOptions();
 
     PlannedBatch batch(std::move(manifest));
-    if (o.merge && !merge_job(batch, *o.merge, wanted))
+    if (o.merge && !merge_job(batch, *o.merge, requested))
         return exit_check_failed;
     if (o.strip && !o.merge)
-        return make_strip(batch, *o.strip, wanted);
+        return make_strip(batch, *o.strip, requested);
     if (o.cancel) {
         std::cout << counted(cancel_batch(batch), "task") << " cancelled\n" << std::flush;
         return exit_done;
     }
-    const bool all_submitted = !o.slurm || submit(batch, wanted, cluster);
+    const bool all_submitted = !o.slurm || submit(batch, requested, cluster);
     if (o.follow)
         follow_batch(batch, progress_bar("cluster"));
     else if (!all_submitted)
         throw InputError("not every job could be submitted");
     else if (o.slurm)
         return exit_done;
-    return run_and_report(batch, wanted, o);
+    return run_and_report(batch, requested, o);
 }
 
 } // namespace

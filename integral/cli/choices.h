@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The words that options take for a value, with what each means. Options are read by these tables,
-// and completion for bash offers their words.
+// Tables of the keywords that options accept, with their meanings. Options are read by these
+// tables, and bash completion offers their words.
 #ifndef INTEGRAL_CLI_CHOICES_H
 #define INTEGRAL_CLI_CHOICES_H
 
 #include "integral/cli/values.h"
+#include "integral/frame/picture_fit.h"
 #include "integral/optics/camera_parameters.h"
-#include "integral/lightfield/picture_fit.h"
-#include "integral/output/colour_profile.h"
-#include "integral/output/interlace.h"
-#include "integral/output/panel_images.h"
+#include "integral/panel/interlace.h"
+#include "integral/panel/panel_images.h"
+#include "integral/print/colour_profile.h"
 #include "integral/replay/arrange.h"
 #include "integral/wireframe/wireframe.h"
 
@@ -22,7 +22,7 @@ template <class Meaning> struct Choice {
     Meaning meaning;
 };
 
-/// The meaning of an option's word. Other words are refused with the table's words.
+/// The value that an option's keyword maps to. Throws UsageError with the table's words for others.
 template <class Meaning, std::size_t count>
 Meaning meaning_of(const char* option, const std::string& word,
                    const Choice<Meaning> (&choices)[count])
@@ -33,17 +33,17 @@ Meaning meaning_of(const char* option, const std::string& word,
             return choice.meaning;
         names.push_back(choice.word);
     }
-    refuse(option, word, alternatives(names));
+    throw_usage(option, word, alternatives(names));
 }
 
-/// Which marks a page gets.
+/// Marks on a page.
 struct PageMarks {
     bool crop = false, registration = false, axis = false;
 };
 
 enum class Orientation { portrait, landscape, automatic };
 
-// Each table is that of the option of its name.
+// Each table belongs to the option of the same name.
 inline constexpr Choice<LensModel> replay_lens_model_choices[] = {
     {"extended_pinhole", LensModel::extended_pinhole},
     {"pinhole", LensModel::pinhole},
@@ -58,7 +58,7 @@ inline constexpr Choice<Orientation> orientation_choices[] = {{"portrait", Orien
                                                               {"auto", Orientation::automatic}};
 inline constexpr Choice<Fit> fit_choices[] = {
     {"contain", Fit::contain}, {"cover", Fit::cover}, {"stretch", Fit::stretch}};
-/// Whether a lens's axis comes to the paper's middle.
+/// Whether a lens's axis lies at the paper's middle.
 inline constexpr Choice<bool> centre_choices[] = {{"lens", true}, {"picture", false}};
 inline constexpr Choice<PageMarks> marks_choices[] = {{"crop", {true, false, false}},
                                                       {"registration", {false, true, false}},
@@ -68,7 +68,7 @@ inline constexpr Choice<Intent> intent_choices[] = {{"perceptual", Intent::perce
                                                     {"relative", Intent::relative},
                                                     {"saturation", Intent::saturation},
                                                     {"absolute", Intent::absolute}};
-/// Of --blend and --sampling.
+/// Keywords of --blend and --sampling.
 inline constexpr Choice<Neighbours> neighbours_choices[] = {{"nearest", Neighbours::nearest},
                                                             {"linear", Neighbours::linear}};
 inline constexpr Choice<PanelCard> card_choices[] = {{"views", PanelCard::views},

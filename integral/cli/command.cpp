@@ -9,11 +9,11 @@
 namespace integral {
 namespace {
 
-/// The options of a line, none of whose fields is filled yet.
-options::variables_map parsed(const options::options_description& described, const Words& words)
+/// Parses the words of a line, without filling any field yet.
+options::variables_map parsed(const options::options_description& described, const Arguments& words)
 {
     options::options_description all = described;
-    all.add_options()("input", options::value<Words>());
+    all.add_options()("input", options::value<Arguments>());
     options::positional_options_description positional;
     positional.add("input", -1);
     namespace style = options::command_line_style;
@@ -38,12 +38,13 @@ void declare_help(options::options_description& all, CommonOptions& read)
     add(all, "help", read.help, "print this");
 }
 
-void read_words(const options::options_description& described, const Words& words, Words& inputs)
+void read_words(const options::options_description& described, const Arguments& words,
+                Arguments& inputs)
 {
     options::variables_map arguments = parsed(described, words);
     options::notify(arguments); // fills the fields
     if (arguments.count("input"))
-        inputs = arguments["input"].as<Words>();
+        inputs = arguments["input"].as<Arguments>();
 }
 
 bool help_is_given(const Command& command, const CommonOptions& read)

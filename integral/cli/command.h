@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What a command of the integral program is, and how every command reads its line.
+// Defines the commands of the integral program and how they read their command lines.
 //
 // 1. A command's options are a plain struct, derived from CommonOptions, with its defaults in
-//    place. It holds what the line says: text, whole numbers, switches; std::optional where it
+//    place. It contains the values on the line: text, whole numbers, switches; std::optional if it
 //    matters whether an option was given.
-// 2. A function declare(description, struct) beside the struct adds each option, with the field
-//    that it fills and its help. Options that several commands have are a struct with a declare of
-//    its own (geometry_options.h), which is a member of those commands' structs.
+// 2. A function declare(description, struct) next to the struct adds each option, with its field
+//    and its help. Options that several commands share form a struct with its own declare
+//    (geometry_options.h). The structs of those commands have that struct as a member.
 // 3. The command's run(struct) turns text into the plain structs of the rooms (View, PageRequest),
-//    refuses by UsageError what makes no sense, makes one call of a room, and writes files and
-//    figures. What a room refuses by std::invalid_argument is reported as a UsageError.
+//    rejects nonsense with UsageError, makes one call of a room, and writes files and figures.
+//    std::invalid_argument from a room is reported as a UsageError.
 //
-// So no command looks an option up by its name. Boost's variables_map, its table of the options
-// that a line has, is needed only between reading the line and filling the struct (command.cpp).
+// So no command looks an option up by its name. Boost's variables_map, its table of the options on
+// a line, exists only between reading the line and filling the struct (command.cpp).
 #ifndef INTEGRAL_CLI_COMMAND_H
 #define INTEGRAL_CLI_COMMAND_H
 
@@ -39,13 +39,13 @@ enum ExitStatus {
     exit_interrupted = 130, ///< as a shell reports SIGINT
 };
 
-/// The command line makes no sense. One line, for standard error.
+/// The command line makes no sense. The text is one line, for standard error.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Does `work`. A request that a room refuses by std::invalid_argument is a UsageError, whose
-/// message begins with `place`.
+/// Calls `work` and turns std::invalid_argument from a room into a UsageError whose message begins
+/// with `place`.
 template <class Work> auto usage_checked(const std::string& place, const Work& work)
 {
     try {
@@ -56,46 +56,46 @@ template <class Work> auto usage_checked(const std::string& place, const Work& w
 }
 
 /// The words of a line that follow the command's name.
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
-/// What every command's line may have.
+/// Options of every command.
 struct CommonOptions {
-    Words inputs; ///< in order
+    Arguments inputs; ///< in order
     bool help = false;
 };
 
-/// One command. All that help says is here or in the options' own descriptions.
+/// One command. The help consists of these texts and the options' own descriptions.
 struct Command {
     const char* name;
     const char* summary;     ///< one line, for `integral help`
-    const char* usage;       ///< what follows the name
-    const char* description; ///< what it does, in lines of at most 80 columns
+    const char* usage;       ///< the part after the name
+    const char* description; ///< lines of at most 80 columns
     int least_inputs, most_inputs;
     /// The options with their descriptions, for the help: described<STRUCT>.
     options::options_description (*make_options)();
     /// Reads the words and does the work: run_with<STRUCT, run>. Returns an ExitStatus; throws
     /// UsageError, InputError, OutputError or Interrupted.
-    int (*run)(const Command& command, const Words& words);
-    bool laboratory = false; ///< of the optical laboratory, not of every day: `help` lists it last
+    int (*run)(const Command& command, const Arguments& words);
+    bool laboratory = false; ///< of the optical laboratory; listed last by `help`
 };
 
 extern const Command sheet_command, replay_command, views_command, flip_command, print_command,
     lcd_command, depth_command, compare_command, tune_command, batch_command, wireframe_command,
     rectify_command, mask_command, resolve_command, multiview_command;
 
-/// Every command, in the order in which `integral help` lists them.
+/// Every command, in the order of `integral help`.
 const std::vector<const Command*>& all_commands();
 
-/// What `integral help COMMAND` prints.
+/// The text of `integral help COMMAND`.
 std::string help_for(const Command& command);
 
-/// For a declare function: an option that fills a field. `word` stands for its value in the help.
+/// For a declare function: an option that fills a field. `word` names its value in the help.
 template <class T> options::typed_value<T>* fills(T& field, const char* word)
 {
     return options::value<T>(&field)->value_name(word);
 }
 
-/// The same of a field that is left empty where the option is not given.
+/// The same for a field that stays empty if the option is not given.
 template <class T> options::typed_value<T>* fills(std::optional<T>& field, const char* word)
 {
     return options::value<T>()->value_name(word)->notifier(
@@ -119,30 +119,31 @@ inline void add(options::options_description& all, const char* name, bool& field
 /// --help, which every command has as its last option.
 void declare_help(options::options_description& all, CommonOptions& read);
 
-/// Options that the program gives to itself, which the help leaves out: a command that has some
-/// overloads this with its own struct.
+/// Options that the program passes to itself, hidden from the help: a command with such options
+/// overloads this for its own struct.
 inline void declare_internal(options::options_description&, CommonOptions&) {}
 
-/// Reads words into the fields that `described` names; words that are no options become inputs.
-/// Throws UsageError for options that it does not have, and for values of another kind.
-void read_words(const options::options_description& described, const Words& words, Words& inputs);
+/// Reads words into the fields named by `described`; other words become inputs. Throws UsageError
+/// for unknown options and values of the wrong kind.
+void read_words(const options::options_description& described, const Arguments& words,
+                Arguments& inputs);
 
-/// Prints the help, if the line asks for it, and returns true. Throws UsageError where the inputs
-/// are too few or too many.
+/// Prints the help, if the line requests it, and returns true. Throws UsageError for too few or too
+/// many inputs.
 bool help_is_given(const Command& command, const CommonOptions& read);
 
-/// The options that the help of a command with that struct shows.
+/// The options in the help of a command with that struct.
 template <class Options> options::options_description described()
 {
-    Options unused; // the descriptions name its fields, but no line is read by them
+    Options unused; // its fields are named by the descriptions, but never filled
     options::options_description all("Options");
     declare(all, unused);
     declare_help(all, unused);
     return all;
 }
 
-/// A command's struct, filled by the words of its line. Throws as read_words does.
-template <class Options> Options read_options(const Words& words)
+/// A command's struct, filled from the words of its line. Throws as read_words does.
+template <class Options> Options read_options(const Arguments& words)
 {
     Options read;
     options::options_description all("Options");
@@ -155,17 +156,18 @@ template <class Options> Options read_options(const Words& words)
 
 /// A Command's `run`: reads the words into the command's struct and calls `work` with it.
 template <class Options, int (*work)(const Options&)>
-int run_with(const Command& command, const Words& words)
+int run_with(const Command& command, const Arguments& words)
 {
     const Options read = read_options<Options>(words);
     return help_is_given(command, read) ? int(exit_done)
                                         : usage_checked("", [&] { return work(read); });
 }
 
-/// Prints figures to standard output, or to standard error where a picture or a report has that.
+/// Prints figures to standard output, or to standard error if a picture or report takes standard
+/// output.
 void print_figures(const std::string& text, bool output_is_taken);
 
-/// Prints a result to standard output, or to -o's FILE whole. Throws OutputError.
+/// Prints a result to standard output, or atomically to -o's FILE. Throws OutputError.
 void print_result(const std::optional<std::string>& output, const std::string& text);
 
 } // namespace integral

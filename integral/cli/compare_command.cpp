@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral compare: how far two frames or views, or the pictures of two folders, are apart.
+// integral compare: differences between two frames or views, or the pictures of two folders.
 #include "integral/cli/compare_options.h"
 #include "integral/cli/values.h"
 #include "integral/compare/compare_files.h"
@@ -13,8 +13,9 @@
 namespace integral {
 namespace {
 
-/// Whether two pictures have one size. Other sizes are compared only as seen through sheets of one
-/// size: throws InputError or UsageError where that is not asked for or cannot be done.
+/// Whether two pictures have equal sizes in pixels. Pictures of unequal size are compared only as
+/// eyes see them (--seen, --eyes), through sheets of equal size in mm: throws InputError or
+/// UsageError if that is not requested or not possible.
 bool check_sizes(const Frame& a, const Frame& b, const CompareOptions& o, const Limits& limits)
 {
     const std::string& name = o.inputs[1];
@@ -53,15 +54,15 @@ int run(const CompareOptions& o)
 {
     if (o.suite)
         return run_suite(o);
-    refuse_given({{"references", o.references},
-                  {"tolerances", o.tolerances},
-                  {"junit", o.junit},
-                  {"accept", o.accept},
-                  {"create", o.create},
-                  {"approve", o.approve},
-                  {"summary", o.summary},
-                  {"threads", o.threads.given}},
-                 "goes with --suite FOLDER");
+    throw_if_given({{"references", o.references},
+                    {"tolerances", o.tolerances},
+                    {"junit", o.junit},
+                    {"accept", o.accept},
+                    {"create", o.create},
+                    {"approve", o.approve},
+                    {"summary", o.summary},
+                    {"threads", o.threads.given}},
+                   "goes with --suite FOLDER");
     const Limits limits = limits_of(o);
     if (o.inputs.size() != 2)
         throw UsageError("an input is missing: A and B are compared, or folders with --suite; see "

@@ -124,12 +124,12 @@ void change_rules(ComparisonRules& rules, const CompareOptions& o, const Limits&
                                          "a number from 1 to 1000");
     if (o.mask)
         rules.mask = *o.mask;
-    for (const std::string& words : o.ignore.value_or(Words()))
+    for (const std::string& words : o.ignore.value_or(Arguments()))
         rules.regions.push_back(usage_checked("--ignore ", [&] { return region_of(words, 0); }));
-    for (const std::string& words : o.weight.value_or(Words())) {
+    for (const std::string& words : o.weight.value_or(Arguments())) {
         const std::size_t at = words.rfind('=');
         if (at == std::string::npos)
-            refuse("weight", words, "WHERE=W");
+            throw_usage("weight", words, "WHERE=W");
         const double weight = parse_number_between("weight", words.substr(at + 1), "WHERE=W", 0,
                                                    1e6, "a weight from 0 to 1000000");
         rules.regions.push_back(

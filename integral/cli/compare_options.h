@@ -14,24 +14,24 @@ namespace integral {
 
 struct CompareOptions : CommonOptions {
     std::optional<std::string> output, gain, sheet, flip_map, ppd, channel_tolerance, mask, html;
-    std::optional<Words> ignore, weight, eyes;
+    std::optional<Arguments> ignore, weight, eyes;
     bool json = false, flip = false, seen = false;
     std::array<std::optional<std::string>, limit_count> limits; ///< in the order of limit_kinds
     // With --suite:
     std::optional<std::string> suite, references, tolerances, junit, summary;
-    std::optional<Words> accept;
+    std::optional<Arguments> accept;
     bool create = false, approve = false, no_browser = false;
     std::optional<int> port;
     ThreadOptions threads;
 };
 
-/// What a line of `integral compare` can state.
+/// Adds the options of `integral compare`.
 void declare(options::options_description& all, CompareOptions& o);
 
-/// The limits that the line gives. Throws UsageError.
+/// The limits on the line. Throws UsageError.
 Limits limits_of(const CompareOptions& o);
 
-/// Changes `rules` by what the line gives. Throws UsageError.
+/// Applies the line's options to `rules`. Throws UsageError.
 void change_rules(ComparisonRules& rules, const CompareOptions& o, const Limits& limits);
 
 /// Compares the pictures of two folders, or accepts some. Returns an ExitStatus.

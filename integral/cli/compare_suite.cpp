@@ -18,7 +18,7 @@
 namespace integral {
 namespace {
 
-/// Throws UsageError for options that --suite does not go with.
+/// Throws UsageError for options that --suite excludes.
 void check_suite_options(const CompareOptions& o)
 {
     if (!o.inputs.empty())
@@ -62,13 +62,13 @@ void check_suite_options(const CompareOptions& o)
                          " do not go together: its page shows the outcome, and references are "
                          "replaced there");
     if (!o.approve)
-        refuse_given({{"port", o.port}, {"no-browser", o.no_browser}}, "goes with --approve");
+        throw_if_given({{"port", o.port}, {"no-browser", o.no_browser}}, "goes with --approve");
     if ((output == "-") + (o.junit == "-") + (o.summary == "-") > 1)
         throw UsageError("only one of -o, --junit and --summary goes to standard output");
 }
 
-/// Makes results references and says so. `verb`: "accepted". `errors`: say it on standard error.
-void accept(const Words& names, const SuiteFolders& folders, const char* verb, bool errors)
+/// Accepts results as references; prints a line for each, to standard error if `errors`.
+void accept(const Arguments& names, const SuiteFolders& folders, const char* verb, bool errors)
 {
     accept_results(names, folders,
                    [&](const std::string& name, const std::string& reference, const char* now) {
@@ -78,7 +78,7 @@ void accept(const Words& names, const SuiteFolders& folders, const char* verb, b
     std::fflush(stdout);
 }
 
-/// Writes and prints what the comparison found. Returns an ExitStatus.
+/// Writes and prints the outcome of the comparison. Returns an ExitStatus.
 int report(const Suite& suite, const CompareOptions& o)
 {
     const std::string output = o.output.value_or(""), junit = o.junit.value_or("");
@@ -102,7 +102,7 @@ int report(const Suite& suite, const CompareOptions& o)
     return suite.passed() ? exit_done : exit_check_failed;
 }
 
-/// Serves the page on which pictures are accepted. Returns an ExitStatus: done if all were.
+/// Serves the page on which pictures are accepted. Returns exit_done if all were accepted.
 int approve(const Suite& suite, const CompareOptions& o)
 {
     for (const std::string& fault : suite.unused)
@@ -139,7 +139,7 @@ int run_suite(const CompareOptions& o)
     check_suite_options(o);
     const int threads = o.threads.count();
     SuitePictures pictures;
-    pictures.wanted = !o.output.value_or("").empty();
+    pictures.requested = !o.output.value_or("").empty();
     read_number("gain", o.gain, pictures.gain);
     pictures.thumbnails = o.summary && o.summary != "-";
     const SuiteFolders folders = suite_folders(*o.suite, o.references,
@@ -167,7 +167,7 @@ int run_suite(const CompareOptions& o)
     note_renames(suite);
     if (o.approve)
         return approve(suite, o);
-    if (pictures.wanted)
+    if (pictures.requested)
         add_comparators(suite);
     return report(suite, o);
 }

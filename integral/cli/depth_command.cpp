@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral depth: how far off everything is that a frame, or a set of views, shows.
+// integral depth: depths of everything shown in a frame or a set of views.
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/fit_options.h"
@@ -102,7 +102,7 @@ DepthQuality quality_of(const DepthOptions& o)
 {
     const auto quality = depth_quality(o.quality.value_or("good"));
     if (!quality)
-        refuse("quality", *o.quality, "draft, good or best");
+        throw_usage("quality", *o.quality, "draft, good or best");
     return *quality;
 }
 
@@ -113,7 +113,7 @@ MultibaselineSettings settings_of(const DepthOptions& o)
         const auto ends = parse_numbers("range", *o.range, "FAR,NEAR", 2, 2);
         constexpr double widest = 100;
         if (!(ends[0] < ends[1] && ends[0] >= -widest && ends[1] <= widest))
-            refuse("range", *o.range, "FAR less than NEAR, from -100 to 100,");
+            throw_usage("range", *o.range, "FAR less than NEAR, from -100 to 100,");
         settings.range = DisparityRange{ends[0], ends[1]};
     }
     return settings;
@@ -142,7 +142,7 @@ void check_options(const DepthOptions& o)
     if (!o.output && !o.truth)
         throw UsageError("-o FILE is missing");
     if (o.method && *o.method != "multibaseline" && *o.method != "raytrace")
-        refuse("method", *o.method, "multibaseline or raytrace");
+        throw_usage("method", *o.method, "multibaseline or raytrace");
     if (o.method == "raytrace" && o.quality)
         throw UsageError("--quality is for multibaseline, not for --method raytrace");
     if (o.rgbd && (!o.output || format_for(*o.output) == ImageFormat::exr))
@@ -203,7 +203,7 @@ void refocus(const DepthOptions& o, const DepthInput& input, int threads, const 
     say("depth", holes_text(picture.figures));
 }
 
-/// Tells where given views are likely to stand in the reverse order.
+/// Reports views that seem to be in reverse order.
 void check_order(const DepthOptions& o, const DepthInput& input, const DepthMap& map)
 {
     if (input.frame)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The options about shapes and order of pictures, for every command that has them.
+// Options about the shapes and order of pictures, shared by commands.
 #ifndef INTEGRAL_CLI_FIT_OPTIONS_H
 #define INTEGRAL_CLI_FIT_OPTIONS_H
 
 #include "integral/cli/command.h"
-#include "integral/lightfield/picture_fit.h"
+#include "integral/frame/picture_fit.h"
 
 namespace integral {
 
-/// --fit: how a picture is brought onto a target of another shape.
+/// --fit: how a picture is fitted to a target of another shape.
 struct FitOptions {
     std::optional<std::string> given;
     /// Throws UsageError.
@@ -17,11 +17,11 @@ struct FitOptions {
 
 void declare(options::options_description& all, FitOptions& fit);
 
-/// --aspect and --right-to-left: what given views do not state themselves.
+/// --aspect and --right-to-left: properties that views do not state themselves.
 struct ViewOrderOptions {
     std::optional<std::string> given_aspect;
     bool right_to_left = false;
-    /// Width divided by height of each view, if it was given. Throws UsageError.
+    /// Width divided by height of each view, if given. Throws UsageError.
     std::optional<double> aspect() const;
 };
 

@@ -5,7 +5,7 @@
 #include "integral/cli/progress.h"
 #include "integral/cli/thread_options.h"
 #include "integral/io/image_file.h"
-#include "integral/output/flip.h"
+#include "integral/views/flip.h"
 
 #include <algorithm>
 #include <iostream>
@@ -59,7 +59,7 @@ void declare(options::options_description& all, FlipOptions& o)
     declare(all, o.threads);
 }
 
-/// Whether the line says for which sheet and film the frame is to be.
+/// Whether the line gives the frame's sheet and film.
 bool states_geometry(const FlipOptions& o)
 {
     return o.start || o.print || first_given(o.sheet) || o.film.dpi || o.film.pixel_pitch ||
@@ -75,7 +75,7 @@ void set_default_size(const std::string& picture, Film& film)
     film.height = std::max(1, int(std::lround(height * scale / film.pixel_pitch.y)));
 }
 
-/// The geometry that the line says; nothing where it says none and the first picture is a frame.
+/// The geometry on the line; empty if it gives none and a picture is a frame.
 std::optional<FrameMetadata> geometry_of(const FlipOptions& o)
 {
     const auto is_frame = [](const std::string& path) {

@@ -3,8 +3,8 @@
 
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/known_sheets.h"
 #include "integral/optics/aperture_error.h"
+#include "integral/sheet/known_sheets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr double default_distance = 300; // mm; the thesis's (3-8)
 constexpr double default_dpi = 300;
 constexpr double largest_size = 20000; // mm, of a page or a print
 
-/// --lpi: the pitch, and what is known of the sheet that is sold by that number.
+/// --lpi: sets the pitch, and the other figures of a common sheet with that many lenses per inch.
 void set_lpi(const SheetOptions& given, LensSheet& sheet)
 {
     if (given.pitch)
@@ -165,14 +165,14 @@ void change_aperture(const ApertureOptions& given, FrameMetadata& geometry, bool
     Aperture& aperture = geometry.aperture;
     read_number("distance", given.distance, aperture.distance);
     if (!(aperture.distance >= 1e-2 && aperture.distance <= 1e9))
-        refuse("distance", given.distance.value_or(""), "0.01 to 1e9 mm");
+        throw_usage("distance", given.distance.value_or(""), "0.01 to 1e9 mm");
     if (given.aperture) {
         const auto numbers = parse_numbers("aperture", *given.aperture, "W or W,H", 1, 2);
         Vec2 extent{numbers.front(), numbers.back()};
         if (numbers.size() == 1 && geometry.sheet.arrangement == Arrangement::lenticular)
             (slit_is_horizontal(geometry.sheet) ? extent.y : extent.x) = 0; // a slit
         if (!(extent.x >= 0 && extent.y >= 0 && extent.x <= 1e12 && extent.y <= 1e12))
-            refuse("aperture", *given.aperture, "0 to 1e12 mm");
+            throw_usage("aperture", *given.aperture, "0 to 1e12 mm");
         aperture.width = extent.x;
         aperture.height = extent.y;
     } else if (!keep) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The options that say what a sheet, a film and an aperture are, for every command that has them.
+// Options that describe a sheet, a film and an aperture, shared by commands.
 #ifndef INTEGRAL_CLI_GEOMETRY_OPTIONS_H
 #define INTEGRAL_CLI_GEOMETRY_OPTIONS_H
 
 #include "integral/cli/command.h"
 #include "integral/cli/values.h"
-#include "integral/lightfield/names.h"
+#include "integral/frame/names.h"
 
 namespace integral {
 
@@ -27,13 +27,13 @@ void declare(options::options_description& all, SheetOptions& sheet);
 void declare(options::options_description& all, FilmOptions& film);
 void declare(options::options_description& all, ApertureOptions& aperture);
 
-/// --sheet of commands that read frames: the file whose geometry a frame has that carries none.
+/// --sheet of commands that read frames: the file with the geometry for a frame that carries none.
 void declare_frame_geometry(options::options_description& all, std::optional<std::string>& file);
 
-/// --sheet of commands that make geometry: the file that they start from.
+/// --sheet of commands that make geometry: the file with the geometry to start from.
 void declare_start_geometry(options::options_description& all, std::optional<std::string>& file);
 
-/// Reads the name of a kind of things (lightfield/names.h), if it was given. Throws UsageError.
+/// Reads a keyword (frame/names.h), if given. Throws UsageError.
 template <class Kind>
 void read_kind(const char* option, const std::optional<std::string>& text, Kind& kind)
 {
@@ -41,43 +41,42 @@ void read_kind(const char* option, const std::optional<std::string>& text, Kind&
         return;
     const auto named = kind_named<Kind>(*text);
     if (!named)
-        refuse(option, *text, legal_names<Kind>());
+        throw_usage(option, *text, legal_names<Kind>());
     kind = *named;
 }
 
-/// The name of the first of these options that the line has; none: nullptr.
+/// The name of the first of these options on the line; nullptr if there is none.
 const char* first_given(const SheetOptions& sheet);
 
-/// Geometry to start from: the thesis's sheet and printer, seen from 300 mm.
+/// Default geometry to start from: the thesis's sheet and printer, seen from 300 mm.
 FrameMetadata default_geometry();
 
-/// The geometry of a file, or else the one to start from, changed by what the options give. Throws
-/// UsageError, also for numbers out of the scene language's range, and InputError.
+/// The geometry of a file, or else the default, changed by the options. Throws UsageError, also for
+/// numbers outside the scene language's range, and InputError.
 FrameMetadata given_geometry(const std::optional<std::string>& file, const SheetOptions& sheet,
                              const FilmOptions& film,
                              const std::optional<std::string>& print = std::nullopt);
 
-/// Changes what the options give, and nothing else. Throws UsageError.
+/// Changes only what the options give. Throws UsageError.
 void change_sheet(const SheetOptions& given, LensSheet& sheet);
 void change_film(const FilmOptions& given, Film& film);
-/// The same where --print WxH may give the film's size in mm, instead of --size.
+/// The same for a command whose --print WxH may give the film's size in mm instead of --size.
 void change_film(const FilmOptions& given, const std::optional<std::string>& print, Film& film);
 
 /// An option's WxH in mm, of a page or a print. Throws UsageError.
 Vec2 parse_paper_size(const char* option, const std::string& text);
 
-/// Gives the film the pixels of an option's WxH in mm, at its resolution. Throws UsageError.
+/// Sets the film's pixel counts from its pixel pitch and an option's WxH in mm. Throws UsageError.
 void set_film_size(const char* option, const std::string& text, Film& film);
 
-/// Changes the aperture's distance and extent where they are given. An extent that is not given
-/// stays as it is if `keep`; else the aperture becomes the one that fills the lenses. Throws
-/// UsageError.
+/// Changes the aperture's distance and extent if given. Without a given extent, the old one stays
+/// if `keep`; otherwise the aperture is set to fill the lenses. Throws UsageError.
 void change_aperture(const ApertureOptions& given, FrameMetadata& geometry, bool keep);
 
-/// Whether any option was given that the aperture which fills the lenses depends on.
+/// Whether an option was given that changes which aperture fills the lenses.
 bool changes_lenses(const SheetOptions& sheet, const ApertureOptions& aperture);
 
-/// Throws UsageError where a number is out of the range that the scene language allows.
+/// Throws UsageError if a number is outside the range of the scene language.
 void check_geometry(const FrameMetadata& geometry);
 
 } // namespace integral

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral lcd: frames, quilts and views as a light-field panel's image; and pictures shown on a
-// display.
+// integral lcd: turns frames, quilts and views into a light-field panel's image, and shows pictures
+// on a display.
 #include "integral/cli/lcd_options.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
-#include "integral/output/panel_files.h"
-#include "integral/output/panel_text.h"
-#include "integral/output/screen_text.h"
+#include "integral/panel/panel_files.h"
+#include "integral/panel/panel_text.h"
+#include "integral/screen/screen_text.h"
 
 #include <chrono>
 #include <iostream>
@@ -24,10 +24,10 @@ void print(bool as_json, const Json& json, const std::string& text)
 void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
 {
     PanelImages images(panel, lcd.image);
-    const auto groups = lcd.card ? std::vector<Words>{{"--card"}} : images.groups(o.inputs);
+    const auto groups = lcd.card ? std::vector<Arguments>{{"--card"}} : images.groups(o.inputs);
     if (o.show && groups.size() > 1)
         throw UsageError("--show shows one image; -o makes several, which --play plays");
-    Words paths(groups.size());
+    Arguments paths(groups.size());
     if (!lcd.output.empty() && lcd.card) {
         check_panel_file(lcd.output);
         paths = {lcd.output};
@@ -54,13 +54,13 @@ void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
         std::cout << Json{{"panel", panel.name}, {"images", report}}.dump(2) << '\n';
 }
 
-/// All that --panel does: makes images, or prints what the panel is.
+/// Handles --panel: makes images, or prints the panel's description.
 void use_panel(const LcdOptions& o, const LcdRequest& lcd)
 {
     if (o.play || o.list_displays)
         throw UsageError("--panel does not go with --play or --list-displays: make the images "
                          "with -o, then play them");
-    refuse_given({{"fps", o.fps}, {"loop", o.loop}}, "is for --play");
+    throw_if_given({{"fps", o.fps}, {"loop", o.loop}}, "is for --play");
     if (o.seconds && !o.show)
         throw UsageError("--seconds is for --show and --play");
     check_panel_options(o, lcd);
@@ -75,13 +75,13 @@ void use_panel(const LcdOptions& o, const LcdRequest& lcd)
     make_images(o, lcd, panel);
 }
 
-/// Throws UsageError where the options of showing make no sense together.
+/// Throws UsageError if the options of showing contradict each other.
 void check_show_options(const LcdOptions& o)
 {
     if (o.list_displays && (o.play || o.show || !o.inputs.empty()))
         throw UsageError("--list-displays stands alone");
     if (!o.play)
-        refuse_given({{"fps", o.fps}, {"loop", o.loop}}, "is for --play");
+        throw_if_given({{"fps", o.fps}, {"loop", o.loop}}, "is for --play");
     if (!o.play && !o.show && o.seconds)
         throw UsageError("--seconds is for --show and --play");
     if ((o.play || o.show) && o.inputs.empty())
@@ -93,7 +93,7 @@ void check_show_options(const LcdOptions& o)
             throw UsageError("--play reads files, not standard input");
 }
 
-/// All that is done without --panel.
+/// Handles everything without --panel.
 void use_display(const LcdOptions& o, const LcdRequest& lcd)
 {
     if (o.output || o.card || o.camera || o.describe)

@@ -20,7 +20,7 @@ void read_up_to(const char* option, const std::optional<std::string>& text, doub
     const std::string form = "a number above 0 and up to " + with_digits(most, 10);
     value = parse_number(option, *text, form.c_str());
     if (!(value > 0 && value <= most))
-        refuse(option, *text, form);
+        throw_usage(option, *text, form);
 }
 
 PanelImageOptions image_options(const LcdOptions& o)
@@ -124,8 +124,8 @@ void check_panel_options(const LcdOptions& o, const LcdRequest& lcd)
     if (int(o.describe) + int(o.camera) + int(lcd.card.has_value()) > 1)
         throw UsageError("--describe, --camera and --card do not go together");
     if (!o.inputs.empty())
-        refuse_given({{"describe", o.describe}, {"camera", o.camera}, {"card", o.card}},
-                     "takes no INPUT");
+        throw_if_given({{"describe", o.describe}, {"camera", o.camera}, {"card", o.card}},
+                       "takes no INPUT");
     if (lcd.panel.empty())
         throw UsageError("--panel NAME|FILE.json is missing; --list tells the names");
     if (!o.describe && !o.camera && lcd.output.empty() && !o.show)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The options of integral lcd. A batch reads and checks them before it begins.
+// The options of integral lcd. A batch reads and checks them before it starts.
 #ifndef INTEGRAL_CLI_LCD_OPTIONS_H
 #define INTEGRAL_CLI_LCD_OPTIONS_H
 
 #include "integral/cli/command.h"
 #include "integral/cli/fit_options.h"
 #include "integral/cli/thread_options.h"
-#include "integral/output/panel_images.h"
-#include "integral/output/screen_show.h"
+#include "integral/panel/panel_images.h"
+#include "integral/screen/screen_show.h"
 
 #include <optional>
 #include <string>
@@ -28,7 +28,7 @@ struct LcdOptions : CommonOptions {
 
 void declare(options::options_description& all, LcdOptions& o);
 
-/// The values that a line gives as text.
+/// Parsed values of the options that are text.
 struct LcdRequest {
     std::string panel, output;              ///< empty: not given
     std::optional<double> viewing_distance; ///< mm
@@ -41,7 +41,7 @@ struct LcdRequest {
 /// Throws UsageError for values that make no sense.
 LcdRequest lcd_request(const LcdOptions& o);
 
-/// Throws UsageError where options of making a panel's image do not go together.
+/// Throws UsageError if options of making a panel's image contradict each other.
 void check_panel_options(const LcdOptions& o, const LcdRequest& request);
 
 /// The panel of --panel, seen from --viewing-distance. Throws UsageError, InputError.

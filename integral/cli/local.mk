@@ -8,8 +8,8 @@ build_bin_integral_SOURCES += \
   integral/cli/choices.h \
   integral/cli/command.cpp \
   integral/cli/command.h \
-  integral/cli/page_commands.cpp \
-  integral/cli/page_commands.h \
+  integral/cli/command_pages.cpp \
+  integral/cli/command_pages.h \
   integral/cli/compare_command.cpp \
   integral/cli/compare_options.cpp \
   integral/cli/compare_options.h \
@@ -26,6 +26,8 @@ build_bin_integral_SOURCES += \
   integral/cli/main.cpp \
   integral/cli/mask_command.cpp \
   integral/cli/multiview_command.cpp \
+  integral/cli/page_commands.cpp \
+  integral/cli/page_commands.h \
   integral/cli/print_chart.cpp \
   integral/cli/print_chart.h \
   integral/cli/print_command.cpp \

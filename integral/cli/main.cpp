@@ -38,8 +38,8 @@ const Command* find_command(const std::string& name)
     throw UsageError("there is no command " + name + "; there are: " + names + " (integral help)");
 }
 
-/// What `integral help WORDS...` prints. --man, --markdown and --bash are for the build, which
-/// makes man pages, pages of the manual and completion of them.
+/// The text of `integral help WORDS...`. --man, --markdown and --bash are for the build, which uses
+/// them to write man pages, manual pages and bash completion.
 std::string help_about(const std::vector<std::string>& words)
 {
     const std::string what = words.empty() ? "" : words[0];
@@ -56,7 +56,7 @@ std::string help_about(const std::vector<std::string>& words)
     return help_for(*find_command(what));
 }
 
-/// Runs the program; `name` is how errors call it, and becomes that of the command.
+/// Runs the program. `name` is the prefix of errors; it becomes the command's name.
 int run_program(const std::vector<std::string>& words, std::string& name)
 {
     if (words.empty()) {

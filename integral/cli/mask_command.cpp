@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral mask: pictures from which lens sheets are made.
+// integral mask: pictures for making lens sheets.
 #include "integral/base/number_text.h"
 #include "integral/cli/choices.h"
 #include "integral/cli/command.h"
@@ -7,9 +7,9 @@
 #include "integral/cli/progress.h"
 #include "integral/cli/thread_options.h"
 #include "integral/cli/values.h"
-#include "integral/fabrication/mask_picture.h"
 #include "integral/io/image_file.h"
-#include "integral/output/relief_chart.h"
+#include "integral/laboratory/mask_picture.h"
+#include "integral/print/relief_chart.h"
 
 namespace integral {
 namespace {
@@ -72,7 +72,7 @@ LensShape shape_of(const MaskOptions& o, const LensSheet& sheet)
     return focused_shape(sheet, conic);
 }
 
-/// The film is one lens's cell of --size pixels.
+/// Makes the film one lens's cell, with --size pixels.
 void set_one_lens(const MaskOptions& o, MaskRequest& request)
 {
     if (o.print || o.film.dpi || o.film.pixel_pitch)
@@ -121,7 +121,7 @@ int run_calibration(const MaskOptions& o, int bits)
     return exit_done;
 }
 
-/// The chart of --chart; nothing without it.
+/// The chart of --chart; empty without it.
 std::optional<ReliefChart> chart_of(const MaskOptions& o, const MaskRequest& request)
 {
     if (!o.chart && !o.distance)
@@ -130,7 +130,7 @@ std::optional<ReliefChart> chart_of(const MaskOptions& o, const MaskRequest& req
         throw UsageError(std::string(o.chart ? "--chart" : "--distance") +
                          " belongs to --relief --chart FILE, of a whole page of lenses");
     if (format_for(*o.chart) == ImageFormat::exr || *o.chart == *o.output)
-        refuse("chart", *o.chart, "another file, .png or .tiff,");
+        throw_usage("chart", *o.chart, "another file, .png or .tiff,");
     ReliefChart chart;
     chart.sheet = request.sheet;
     chart.film = request.film;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral multiview: integral imaging beside multi-view images of the same scene.
+// integral multiview: compares integral imaging with multi-view images of the same scene.
 #include "integral/base/file_bytes.h"
 #include "integral/base/folders.h"
 #include "integral/batch/renderer_options.h"
@@ -7,7 +7,7 @@
 #include "integral/cli/progress.h"
 #include "integral/cli/thread_options.h"
 #include "integral/cli/values.h"
-#include "integral/multiview/multiview_text.h"
+#include "integral/laboratory/multiview_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -67,7 +67,7 @@ MultiviewRequest request_of(const MultiviewOptions& o)
 int run(const MultiviewOptions& o)
 {
     const MultiviewRequest request = request_of(o);
-    read_file(request.scene); // before its folder is made
+    read_file(request.scene); // a missing scene fails before a folder is made
     make_folder(request.folder);
     check_writable(request.folder + "/seen.png");
     const MultiviewResult result = usage_checked(request.scene + ": ", [&] {
@@ -93,7 +93,7 @@ see of each beside the scene's own perspective picture.
 FOLDER gets the frames integral.png, parallel.png, converging.png, infinity.png;
 seen.png, rows of what five eyes see of the scene itself and of these, in this
 order; and moire.png, a flat field that even views show white and odd ones black,
-from the border of two views. Words of povray-integral that follow the scene hold
+from the border of two views. Arguments of povray-integral that follow the scene hold
 for all pictures; the scene's camera, or Integral_Camera=, has to be integral.
 )",
     1,

@@ -2,9 +2,9 @@
 #include "integral/cli/page_commands.h"
 
 #include "integral/cli/choices.h"
-#include "integral/io/sheet_plots.h"
-#include "integral/lightfield/names.h"
-#include "integral/output/paper.h"
+#include "integral/frame/names.h"
+#include "integral/print/paper.h"
+#include "integral/sheet/sheet_plots.h"
 
 #include <regex>
 
@@ -21,15 +21,14 @@ std::string words_of(const Choice<Meaning> (&choices)[count])
     return words;
 }
 
-/// The words of a list that messages show: "a, b or c".
+/// The words of a list such as "a, b or c", separated by blanks.
 std::string words_in(const std::string& list)
 {
     return std::regex_replace(list, std::regex(", | or | and "), " ");
 }
 
-/// The words that an option of a command may be given, separated by blanks; empty where any text is
-/// possible. Where the value's word lists them itself (draft|good|best), no row of the table is
-/// needed.
+/// Keywords that a command's option accepts, separated by blanks; empty if any text is possible. An
+/// option whose placeholder lists its keywords (draft|good|best) needs no table row.
 std::string choices_of(const std::string& command, const std::string& option,
                        const std::string& value)
 {
@@ -73,7 +72,7 @@ PageOption page_option(const std::string& command, const options::option_descrip
     option.value = declared.semantic()->name();
     const std::size_t by_itself = option.value.find(" (=");
     if (by_itself != std::string::npos) {
-        const std::string value = option.value.substr(by_itself + 3); // with the parenthesis
+        const std::string value = option.value.substr(by_itself + 3); // including the parenthesis
         if (option.description.find("default") == std::string::npos) {
             const bool joined = option.description.back() == ')';
             if (joined)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Describes the commands for base/command_pages, from what they declare (command.h).
+// Describes the commands for cli/command_pages, from their declarations (command.h).
 #ifndef INTEGRAL_CLI_PAGE_COMMANDS_H
 #define INTEGRAL_CLI_PAGE_COMMANDS_H
 
-#include "integral/base/command_pages.h"
 #include "integral/cli/command.h"
+#include "integral/cli/command_pages.h"
 
 namespace integral {
 

@@ -3,7 +3,7 @@
 
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
-#include "integral/output/pitch_report.h"
+#include "integral/print/pitch_report.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,7 +18,7 @@ constexpr double most_pixels = 5e8;
 constexpr char default_page[] = "152.4x101.6";    // 4x6 inches
 constexpr char default_page_2d[] = "203.2x152.4"; // 6x8 inches: two blocks of bars
 
-/// The nominal geometry. Its film has a size only if --size gives one.
+/// The nominal geometry. Its film has a size only if --size is given.
 FrameMetadata nominal_geometry(const PrintOptions& o)
 {
     if (!o.inputs.empty())
@@ -32,7 +32,7 @@ FrameMetadata nominal_geometry(const PrintOptions& o)
     return geometry;
 }
 
-/// Gives the film the size of --page in pixels, unless --size has given it one.
+/// Sets the film's size in pixels from --page, unless --size is given.
 void set_page(const PrintOptions& o, const LensSheet& sheet, Film& film)
 {
     if (o.page && film.width > 0)
@@ -46,7 +46,7 @@ void set_page(const PrintOptions& o, const LensSheet& sheet, Film& film)
         throw UsageError("the page has more than 500 million pixels; take a smaller one");
 }
 
-/// How many bars there are in each direction.
+/// Number of bars in each direction.
 int bars_of(const PrintOptions& o, const LensSheet& sheet)
 {
     return o.bars ? in_range("bars", *o.bars, 2, most_bars) : default_bars(sheet);
@@ -74,7 +74,7 @@ PitchScale scale_of_range(const PrintOptions& o, const LensSheet& sheet)
     return {ends[0], step, int(std::lround(count)) + 1};
 }
 
-/// The scale of the chart that these options make, or made.
+/// The scale of the chart that these options make, or with which the measured chart was made.
 PitchScale scale_of(const PrintOptions& o, const FrameMetadata& nominal)
 {
     const LensSheet& sheet = nominal.sheet;
@@ -87,7 +87,7 @@ PitchScale scale_of(const PrintOptions& o, const FrameMetadata& nominal)
                                      : default_step(sheet, film);
     const PitchScale scale = scale_about(sheet, step, bars);
     if (!(scale.step > 0 && scale.first > 0))
-        refuse("pitch-step", o.pitch_step.value_or(""), "a small part of the pitch");
+        throw_usage("pitch-step", o.pitch_step.value_or(""), "a small part of the pitch");
     return scale;
 }
 
@@ -97,20 +97,20 @@ ChartReading parse_reading(const std::string& text)
     constexpr char form[] = "BAR,BAR@DISTANCE, as 12,13@400,";
     const auto at = text.find('@');
     if (at == std::string::npos)
-        refuse("even", text, form);
+        throw_usage("even", text, form);
     ChartReading reading;
     for (const double bar : parse_numbers("even", text.substr(0, at), form, 1, 2 * most_bars)) {
         if (!(bar == std::floor(bar) && bar >= 1 && bar <= 2 * most_bars))
-            refuse("even", text, form);
+            throw_usage("even", text, form);
         reading.bars.push_back(int(bar));
     }
     reading.distance = parse_number("even", text.substr(at + 1), form);
     if (!(reading.distance >= 1e-2 && reading.distance <= 1e9))
-        refuse("even", text, "a distance of 0.01 to 1e9 mm");
+        throw_usage("even", text, "a distance of 0.01 to 1e9 mm");
     return reading;
 }
 
-/// The readings of --even, all of whose bars are on the chart.
+/// The readings of --even. Throws UsageError for bars that are not on the chart.
 std::vector<ChartReading> readings_of(const PrintOptions& o, const LensSheet& sheet,
                                       const PitchScale& scale)
 {
@@ -118,7 +118,7 @@ std::vector<ChartReading> readings_of(const PrintOptions& o, const LensSheet& sh
     for (const std::string& text : *o.even)
         readings.push_back(parse_reading(text));
     if (sheet.arrangement != Arrangement::lenticular)
-        return readings; // a second direction's bars are numbered on
+        return readings; // the bars of a second direction have higher numbers
     for (const ChartReading& reading : readings)
         for (const int bar : reading.bars)
             if (bar > scale.bars)

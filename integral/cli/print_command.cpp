@@ -4,7 +4,7 @@
 #include "integral/cli/print_options.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
-#include "integral/output/spool.h"
+#include "integral/print/spool.h"
 
 #include <iostream>
 
@@ -24,10 +24,10 @@ void send(const PrintOptions& o, std::vector<Image> pages, Vec2 pixel_pitch,
     job.medium = o.medium.value_or("");
     if (o.copies)
         job.copies = in_range("copies", *o.copies, 1, 1000);
-    for (const std::string& option : o.printer_options.value_or(Words())) {
+    for (const std::string& option : o.printer_options.value_or(Arguments())) {
         const std::size_t middle = option.find('=');
         if (middle == std::string::npos || middle == 0)
-            refuse("printer-option", option, "NAME=VALUE");
+            throw_usage("printer-option", option, "NAME=VALUE");
         job.options.emplace_back(option.substr(0, middle), option.substr(middle + 1));
     }
     const std::string printer = job.printer;
@@ -37,7 +37,7 @@ void send(const PrintOptions& o, std::vector<Image> pages, Vec2 pixel_pitch,
     std::cout << printer << ": job " << *number << " is printed\n";
 }
 
-/// What the line asks for of a frame whose geometry is known.
+/// The line's settings, for a frame with known geometry.
 PrintSettings settings_of(const PrintOptions& o, FrameReader& frame)
 {
     PrintSettings settings;
@@ -82,20 +82,20 @@ int print_frame(const PrintOptions& o)
 
 int print_chart(const PrintOptions& o)
 {
-    refuse_given({{"paper", o.paper},
-                  {"orientation", o.orientation},
-                  {"feed", o.feed},
-                  {"centre", o.centre},
-                  {"bleed", o.bleed},
-                  {"marks", o.marks},
-                  {"strip", o.strip},
-                  {"mirror", o.mirror},
-                  {"tile", o.tile},
-                  {"overlap", o.overlap},
-                  {"bits", o.bits},
-                  {"icc", o.icc},
-                  {"intent", o.intent}},
-                 "is for frames, not for charts");
+    throw_if_given({{"paper", o.paper},
+                    {"orientation", o.orientation},
+                    {"feed", o.feed},
+                    {"centre", o.centre},
+                    {"bleed", o.bleed},
+                    {"marks", o.marks},
+                    {"strip", o.strip},
+                    {"mirror", o.mirror},
+                    {"tile", o.tile},
+                    {"overlap", o.overlap},
+                    {"bits", o.bits},
+                    {"icc", o.icc},
+                    {"intent", o.intent}},
+                   "is for frames, not for charts");
     if (o.even && o.printer)
         throw UsageError("--printer does not go with --even");
     if (!o.inputs.empty())
@@ -117,23 +117,23 @@ int run(const PrintOptions& o)
         return exit_done;
     }
     if (!o.printer)
-        refuse_given(
+        throw_if_given(
             {{"copies", o.copies}, {"medium", o.medium}, {"printer-option", o.printer_options}},
             "is for --printer");
     if (o.chart || o.even)
         return print_chart(o);
     constexpr char for_charts[] = "is for --chart and --even";
     if (const char* option = first_given(o.sheet))
-        refuse_given({{option, true}}, for_charts);
-    refuse_given({{"pixel-pitch", o.film.pixel_pitch},
-                  {"size", o.film.size},
-                  {"pitch-range", o.pitch_range},
-                  {"pitch-step", o.pitch_step},
-                  {"bars", o.bars},
-                  {"page", o.page},
-                  {"keep-index", o.keep_index},
-                  {"json", o.json}},
-                 for_charts);
+        throw_if_given({{option, true}}, for_charts);
+    throw_if_given({{"pixel-pitch", o.film.pixel_pitch},
+                    {"size", o.film.size},
+                    {"pitch-range", o.pitch_range},
+                    {"pitch-step", o.pitch_step},
+                    {"bars", o.bars},
+                    {"page", o.page},
+                    {"keep-index", o.keep_index},
+                    {"json", o.json}},
+                   for_charts);
     return print_frame(o);
 }
 

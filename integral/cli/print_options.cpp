@@ -12,7 +12,7 @@ namespace {
 
 constexpr double largest_paper = 5000; // mm
 
-/// Reads a length in mm, if it was given.
+/// Reads a length in mm, if given.
 void read_length(const char* option, const std::optional<std::string>& text, double& value)
 {
     if (text)
@@ -20,7 +20,7 @@ void read_length(const char* option, const std::optional<std::string>& text, dou
                                      "0 to 5000 mm");
 }
 
-/// The paper as it is fed.
+/// The paper, turned as --orientation requires.
 std::optional<Paper> parse_paper(const PrintOptions& o, const Film& film)
 {
     const Orientation way = meaning_of("orientation", o.orientation.value_or("auto"),
@@ -110,7 +110,7 @@ void declare(options::options_description& all, PrintOptions& o)
     add(all, "json", o.json, "with --even: print figures as JSON");
     options::options_description chart;
     declare_chart(chart, o);
-    for (const auto& option : chart.options()) // --dpi is there already
+    for (const auto& option : chart.options()) // --dpi exists already
         if (!all.find_nothrow(option->long_name(), false))
             all.add(option);
 }
@@ -124,7 +124,7 @@ Paper parse_paper_size(const std::string& text)
     if (std::sscanf(text.c_str(), "%lfx%lf%n", &width, &height, &read) != 2 ||
         read != int(text.size()) || !(width >= 5 && height >= 5) ||
         !(width <= largest_paper && height <= largest_paper))
-        refuse("paper", text, paper_names() + ", or WIDTHxHEIGHT of 5 to 5000 mm,");
+        throw_usage("paper", text, paper_names() + ", or WIDTHxHEIGHT of 5 to 5000 mm,");
     return {width, height};
 }
 
@@ -134,12 +134,12 @@ Vec2 pitch_of_printer(const PrintOptions& o, const Film& film)
     if (o.feed)
         feed = parse_one_or_two("feed", *o.feed, "X or X,Y");
     if (!(feed.x > 0.5 && feed.y > 0.5 && feed.x < 2 && feed.y < 2))
-        refuse("feed", *o.feed, "0.5 to 2");
+        throw_usage("feed", *o.feed, "0.5 to 2");
     if (!o.film.dpi)
         return printer_pitch(film, feed, std::nullopt);
     const Vec2 dpi = parse_one_or_two("dpi", *o.film.dpi, "D or D,D");
     if (!(dpi.x >= 1 && dpi.y >= 1 && dpi.x <= 100000 && dpi.y <= 100000))
-        refuse("dpi", *o.film.dpi, "1 to 100000");
+        throw_usage("dpi", *o.film.dpi, "1 to 100000");
     return printer_pitch(film, feed, dpi);
 }
 

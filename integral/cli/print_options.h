@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The options of `integral print`, and what they say of a page.
+// The options of `integral print`, and the page that they describe.
 #ifndef INTEGRAL_CLI_PRINT_OPTIONS_H
 #define INTEGRAL_CLI_PRINT_OPTIONS_H
 
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
-#include "integral/output/frame_print.h"
+#include "integral/print/frame_print.h"
 
 namespace integral {
 
 struct PrintOptions : CommonOptions {
     std::optional<std::string> output;
-    std::optional<std::string> start; ///< --sheet: the file that the geometry comes from
+    std::optional<std::string> start; ///< --sheet: file with the geometry
     // Frames:
     std::optional<std::string> paper, orientation, feed, centre, bleed, marks, overlap, icc, intent;
     std::optional<int> bits;
@@ -19,14 +19,14 @@ struct PrintOptions : CommonOptions {
     // Printers:
     std::optional<std::string> printer, medium;
     std::optional<int> copies;
-    std::optional<Words> printer_options;
+    std::optional<Arguments> printer_options;
     // Charts:
     bool chart = false, keep_index = false, json = false;
-    std::optional<Words> even;
+    std::optional<Arguments> even;
     std::optional<std::string> pitch_range, pitch_step, page;
     std::optional<int> bars;
     SheetOptions sheet;
-    FilmOptions film; ///< its dpi is a printer's, too
+    FilmOptions film; ///< its dpi may also be the printer's
 };
 
 void declare(options::options_description& all, PrintOptions& o);
@@ -37,8 +37,8 @@ Paper parse_paper_size(const std::string& text);
 /// The value of --intent. Throws UsageError.
 Intent intent_of(const PrintOptions& o);
 
-/// The printer's own pixel pitch, mm, by --dpi and --feed. Throws UsageError, and as printer_pitch
-/// (output/frame_print.h) does.
+/// The printer's pixel pitch, mm, from --dpi and --feed. Throws UsageError, and as printer_pitch
+/// (print/frame_print.h) does.
 Vec2 pitch_of_printer(const PrintOptions& o, const Film& film);
 
 /// The page, without the text of its strip. Throws UsageError.

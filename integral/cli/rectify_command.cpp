@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral rectify: a scan of micro-images becomes a frame.
+// integral rectify: turns a scan of micro-images into a frame.
 #include "integral/analysis/lattice_search.h"
 #include "integral/analysis/rectify.h"
 #include "integral/analysis/rectify_report.h"
@@ -23,7 +23,7 @@ constexpr double default_turn_range = 10; // degrees
 
 struct RectifyOptions : CommonOptions {
     std::optional<std::string> output;
-    std::optional<std::string> start; ///< --sheet: the file that the geometry comes from
+    std::optional<std::string> start; ///< --sheet: file with the geometry
     std::optional<std::string> scan_dpi, turn, middle, flat, balance, white;
     bool even_light = false, vignetting = false, json = false;
     ThreadOptions threads;
@@ -65,7 +65,7 @@ void declare(options::options_description& all, RectifyOptions& o)
     declare(all, o.aperture);
 }
 
-/// The geometry that the print was made for. A film of 0 by 0 is the size that the scan holds.
+/// The geometry of the print. A film of 0 by 0 takes its size from the scan.
 FrameMetadata read_geometry(const RectifyOptions& o)
 {
     const bool given = !o.start.value_or("").empty();
@@ -74,7 +74,7 @@ FrameMetadata read_geometry(const RectifyOptions& o)
     return geometry;
 }
 
-/// Scan pixels a mm.
+/// Scan pixels per mm.
 Vec2 scan_scale(const RectifyOptions& o, const Scan& scan)
 {
     if (o.scan_dpi)
@@ -106,14 +106,14 @@ LatticeSearch search_of(const RectifyOptions& o, const FrameMetadata& geometry, 
     return search;
 }
 
-/// --white: its patch becomes white.
+/// --white: balances the scan so that the patch becomes white.
 void balance_white(const RectifyOptions& o, const Image& scan, ScanLight& light)
 {
     constexpr char form[] = "X,Y,W,H (pixels inside the scan)";
     const auto v = parse_numbers("white", *o.white, form, 4, 4);
     if (!(v[0] >= 0 && v[1] >= 0 && v[2] >= 1 && v[3] >= 1 && v[0] + v[2] <= scan.width &&
           v[1] + v[3] <= scan.height))
-        refuse("white", *o.white, form);
+        throw_usage("white", *o.white, form);
     try {
         light.balance_white(scan, int(v[0]), int(v[1]), int(v[2]), int(v[3]));
     } catch (const std::invalid_argument& error) {
@@ -121,7 +121,7 @@ void balance_white(const RectifyOptions& o, const Image& scan, ScanLight& light)
     }
 }
 
-/// What the scan's light is multiplied by, as the options ask for.
+/// The correction of the scan's light that the options request.
 ScanLight light_of(const RectifyOptions& o, const Image& scan, LightReport& report)
 {
     ScanLight light;
@@ -147,16 +147,16 @@ ScanLight light_of(const RectifyOptions& o, const Image& scan, LightReport& repo
     return light;
 }
 
-/// What the options refuse before anything is read. Throws UsageError, OutputError.
+/// Checks the options before anything is read. Throws UsageError, OutputError.
 void check_options(const RectifyOptions& o)
 {
     const std::string balance = o.balance.value_or("");
     check_picture(needed_output(o.output, "FRAME"));
     if (!balance.empty() && balance != "grey")
-        refuse("balance", balance, "grey");
+        throw_usage("balance", balance, "grey");
     if (!balance.empty() && o.white)
         throw UsageError("--balance grey and --white do not go together");
-    o.threads.count(); // refused before the scan is read
+    o.threads.count(); // throws before the scan is read
 }
 
 int run(const RectifyOptions& o)
@@ -176,7 +176,7 @@ int run(const RectifyOptions& o)
     geometry.film = film;
     geometry.placement.reset();
     if (geometry.render)
-        geometry.render->error.reset(); // it was the rendered frame's
+        geometry.render->error.reset(); // an estimate for the rendered frame
     auto image = rectified(scan.image, found.map, film, light, threads, progress_bar("resampling"));
     if (!image)
         throw Interrupted();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral replay: what an eye sees of a frame through its sheet.
+// integral replay: shows what an eye sees of a frame through its sheet.
 #include "integral/base/message_text.h"
 #include "integral/base/number_text.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/replay_options.h"
 #include "integral/cli/values.h"
+#include "integral/frame/names.h"
 #include "integral/io/image_file.h"
 #include "integral/io/mpo_file.h"
-#include "integral/lightfield/names.h"
 #include "integral/replay/draft_frame.h"
 #include "integral/replay/fit_part.h"
 #include "integral/replay/replay_files.h"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int default_longer_side = 1000; // pixels
 
-/// Throws UsageError for options that --html does not go with.
+/// Throws UsageError for options that --html excludes.
 void check_html_options(const ReplayOptions& o)
 {
     if (o.html->empty())
@@ -39,7 +39,7 @@ void check_html_options(const ReplayOptions& o)
             "--html and --lens-model full do not go together: the page has ideal lenses");
 }
 
-/// Throws UsageError for options that several frames do not go with.
+/// Throws UsageError for options that need a single frame.
 void check_frames(const ReplayOptions& o)
 {
     if (o.inputs.size() < 2)
@@ -50,8 +50,8 @@ void check_frames(const ReplayOptions& o)
         throw UsageError("-o FILE.webp is missing: several frames make an animation");
 }
 
-/// Begins what -o names: a series of several frames or if the eye moves, else one picture, whose
-/// path is checked.
+/// Begins the output of -o. Returns a series for several frames or a moving eye; for one picture,
+/// only checks the path and returns nothing.
 std::optional<PictureSeries> begin_output(const ReplayOptions& o,
                                           const std::optional<EyeMovement>& movement)
 {
@@ -79,7 +79,7 @@ std::optional<PictureSeries> begin_output(const ReplayOptions& o,
     return std::nullopt;
 }
 
-/// Fits the part of the sheet that is seen into a picture of --size.
+/// Fits the visible part of the sheet into a picture of --size.
 void fit_size(const ReplayOptions& o, View& view, const FrameMetadata& metadata, Fit fit)
 {
     const FittedPicture picture = fit_part_to_size(view, metadata, fit);
@@ -89,7 +89,7 @@ void fit_size(const ReplayOptions& o, View& view, const FrameMetadata& metadata,
                                   : fit_text(picture, "--size")));
 }
 
-/// A frame; of a draft, unless its raw pixels are requested, what the print's pixels will show.
+/// Reads a frame. A draft is expanded to the print's pixels, unless its raw pixels are requested.
 Frame read_replayed(const ReplayOptions& o, const std::string& path)
 {
     Frame frame = read_frame_with_metadata(path, o.sheet.value_or(""));
@@ -106,11 +106,11 @@ Frame read_replayed(const ReplayOptions& o, const std::string& path)
     return std::move(*finer);
 }
 
-/// Writes what the eye sees: of one frame all that is asked for, of several a picture each.
+/// Writes the pictures: all requested ones of a single frame, or one of each of several frames.
 void write_views(const ReplayOptions& o, Frame first, const ReplayRequest& request,
                  std::optional<PictureSeries>& series)
 {
-    constexpr int usual_quality = 95; // of a pair
+    constexpr int usual_quality = 95; // of a stereo pair
     const int quality = in_range("quality", o.series.quality.value_or(usual_quality), 0, 100);
     const auto take = [&](Image picture) {
         if (series)

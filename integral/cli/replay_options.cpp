@@ -23,7 +23,7 @@ Eye parse_eye(const std::string& text)
     return {v[0], v[1], v[2]};
 }
 
-/// Reads a number of mm from `least` to 1e6, if it was given.
+/// Reads a number of mm from `least` to 1e6, if given.
 void read_mm(const char* option, const std::optional<std::string>& text, double least,
              const char* form, double& value)
 {
@@ -133,11 +133,11 @@ ViewArrangement arrangement_of(const ReplayOptions& o)
         read_mm("stereo", o.stereo, 0, "a distance from 0 to 1e6 mm",
                 arrangement.separation.emplace());
     if (!o.stereo)
-        refuse_given({{"cross-eyed", o.cross_eyed}, {"anaglyph", o.anaglyph}, {"half", o.half}},
-                     "needs --stereo MM, the eyes' distance");
+        throw_if_given({{"cross-eyed", o.cross_eyed}, {"anaglyph", o.anaglyph}, {"half", o.half}},
+                       "needs --stereo MM, the eyes' distance");
     if (o.anaglyph)
-        refuse_given({{"half", o.half}, {"cross-eyed", o.cross_eyed}},
-                     "and --anaglyph do not go together");
+        throw_if_given({{"half", o.half}, {"cross-eyed", o.cross_eyed}},
+                       "and --anaglyph do not go together");
     if (!o.grid)
         return arrangement;
     if (o.stereo)
@@ -171,9 +171,9 @@ std::optional<EyeMovement> movement_of(const ReplayOptions& o)
     const double least = movement.path == EyePath::dolly ? 1 : 0,
                  greatest = movement.path == EyePath::turntable ? 179 : farthest;
     if (!(span >= least && span <= greatest))
-        refuse("path", text,
-               "a span from " + std::to_string(int(least)) + " to " +
-                   std::to_string(int(greatest)) + "");
+        throw_usage("path", text,
+                    "a span from " + std::to_string(int(least)) + " to " +
+                        std::to_string(int(greatest)) + "");
     movement.span = span;
     return movement;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The options of `integral replay`, and what they say of the views to draw.
+// The options of `integral replay`, and the views that they describe.
 #ifndef INTEGRAL_CLI_REPLAY_OPTIONS_H
 #define INTEGRAL_CLI_REPLAY_OPTIONS_H
 
@@ -24,14 +24,13 @@ struct ReplayOptions : CommonOptions {
 
 void declare(options::options_description& all, ReplayOptions& o);
 
-/// The view. Its eye and its size are left 0 where they are not given: the frame says them. Throws
-/// UsageError.
+/// The view. An eye or a size that is not given stays 0; the frame supplies it. Throws UsageError.
 View view_of(const ReplayOptions& o);
 
 /// Throws UsageError.
 ViewArrangement arrangement_of(const ReplayOptions& o);
 
-/// How the eye moves, if it does. Throws UsageError.
+/// The movement of the eye, if any. Throws UsageError.
 std::optional<EyeMovement> movement_of(const ReplayOptions& o);
 
 } // namespace integral

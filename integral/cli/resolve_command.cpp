@@ -6,7 +6,7 @@
 #include "integral/cli/progress.h"
 #include "integral/cli/thread_options.h"
 #include "integral/cli/values.h"
-#include "integral/resolution/resolution_text.h"
+#include "integral/laboratory/resolution_text.h"
 
 namespace integral {
 namespace {

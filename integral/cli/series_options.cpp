@@ -26,7 +26,7 @@ AnimationSettings animation_settings(const SeriesOptions& given)
     AnimationSettings settings;
     read_number("fps", given.fps, settings.pictures_a_second);
     if (!(settings.pictures_a_second >= 0.1 && settings.pictures_a_second <= 100))
-        refuse("fps", given.fps.value_or(""), "0.1 to 100 pictures a second");
+        throw_usage("fps", given.fps.value_or(""), "0.1 to 100 pictures a second");
     if (given.quality)
         settings.quality = in_range("quality", *given.quality, 0, 100);
     return settings;

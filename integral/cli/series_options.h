@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The options that say how an animation is written and played: --fps and --quality.
+// The options for writing and playing an animation: --fps and --quality.
 #ifndef INTEGRAL_CLI_SERIES_OPTIONS_H
 #define INTEGRAL_CLI_SERIES_OPTIONS_H
 
@@ -15,10 +15,10 @@ struct SeriesOptions {
 
 void declare(options::options_description& all, SeriesOptions& series);
 
-/// Throws UsageError where they are given for an output that is no animation.
+/// Throws UsageError if these options are given for an output that is no animation.
 void check_series_options(const SeriesOptions& given, const std::string& output);
 
-/// How an animation is written, played from the first picture to the last. Throws UsageError.
+/// Settings of an animation that plays from the first picture to the last. Throws UsageError.
 AnimationSettings animation_settings(const SeriesOptions& given);
 
 } // namespace integral

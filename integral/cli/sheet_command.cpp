@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral sheet: what a sheet, a film and a viewer give, before anything is rendered.
+// integral sheet: figures of a sheet, a film and a viewer, before anything is rendered.
 #include "integral/base/number_text.h"
 #include "integral/batch/renderer_options.h"
 #include "integral/batch/scene_depths.h"
@@ -8,14 +8,15 @@
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
+#include "integral/depth/depth_page.h"
 #include "integral/io/image_file.h"
-#include "integral/io/sheet_plots.h"
-#include "integral/lightfield/camera_words.h"
-#include "integral/lightfield/scene_depth_report.h"
-#include "integral/lightfield/sheet_figures.h"
-#include "integral/lightfield/sheet_list.h"
-#include "integral/lightfield/sheet_report.h"
-#include "integral/replay/depth_page.h"
+#include "integral/optics/visual_pitch.h"
+#include "integral/sheet/camera_words.h"
+#include "integral/sheet/scene_depth_report.h"
+#include "integral/sheet/sheet_figures.h"
+#include "integral/sheet/sheet_list.h"
+#include "integral/sheet/sheet_plots.h"
+#include "integral/sheet/sheet_report.h"
 
 #include <nlohmann/json.hpp>
 
@@ -74,7 +75,7 @@ void declare(options::options_description& all, SheetCommandOptions& o)
 
 Viewer viewer_of(const SheetCommandOptions& o)
 {
-    Viewer viewer; // its pupil and its detail are 5 mm, as in the thesis's figure 4-8
+    Viewer viewer; // default pupil and detail: 5 mm, as in the thesis's figure 4-8
     read_positive("pupil", o.pupil, viewer.pupil);
     read_positive("detail", o.detail, viewer.detail);
     if (o.macro_lens) {
@@ -102,7 +103,7 @@ void draw(const SheetCommandOptions& o, const FrameMetadata& geometry, const Vie
     write_plot(sheet_plot(*o.plot, geometry, viewer), output);
 }
 
-/// Throws UsageError for options that say another geometry than the scene's.
+/// Throws UsageError for options that would change the scene's geometry.
 void refuse_geometry(const SheetCommandOptions& o)
 {
     const char* option = first_given({{"plot", o.plot}, {"sheet", o.start}});
@@ -123,7 +124,7 @@ void refuse_geometry(const SheetCommandOptions& o)
                          " do not go together: the geometry is the scene's");
 }
 
-/// The scene as an eye will see it, for the page; none of a depth frame.
+/// Pictures of the scene as an eye will see it, for the page; empty for a depth frame.
 std::optional<SceneLooks> looks_of(const SheetCommandOptions& o, const FrameMetadata& print)
 {
     constexpr int longest = 480; // pixels
@@ -170,11 +171,11 @@ int report_scene(const SheetCommandOptions& o)
     return exit_done;
 }
 
-/// --visual-pitch: the lenses' own pitch from the one that is seen from --distance.
+/// --visual-pitch: sets the lenses' mechanical pitch from the pitch seen from --distance.
 void set_visual_pitch(const SheetCommandOptions& o, FrameMetadata& geometry)
 {
-    refuse_given({{"pitch", o.sheet.pitch}, {"lpi", o.sheet.lpi}},
-                 "and --visual-pitch contradict each other; give one of them");
+    throw_if_given({{"pitch", o.sheet.pitch}, {"lpi", o.sheet.lpi}},
+                   "and --visual-pitch contradict each other; give one of them");
     double visual = 0, distance = geometry.aperture.distance;
     read_positive("visual-pitch", o.visual_pitch, visual);
     read_positive("distance", o.aperture.distance, distance);
@@ -182,7 +183,7 @@ void set_visual_pitch(const SheetCommandOptions& o, FrameMetadata& geometry)
     check_geometry(geometry);
 }
 
-/// The geometry that the line says.
+/// The geometry on the line.
 FrameMetadata geometry_of(const SheetCommandOptions& o)
 {
     if (o.inputs.size() > 1)
@@ -203,8 +204,7 @@ FrameMetadata geometry_of(const SheetCommandOptions& o)
     return geometry;
 }
 
-/// The words for a scene: a sheet's file has no viewer of its own, and a print's size only --print
-/// tells.
+/// The camera's words for a scene; with viewing distance and print size only if these were given.
 std::string words_for_scene(const SheetCommandOptions& o, const FrameMetadata& geometry)
 {
     std::string words = geometry.render || o.aperture.distance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The option --threads, for every command that has it.
+// The option --threads, shared by commands.
 #ifndef INTEGRAL_CLI_THREAD_OPTIONS_H
 #define INTEGRAL_CLI_THREAD_OPTIONS_H
 
@@ -9,7 +9,7 @@ namespace integral {
 
 struct ThreadOptions {
     std::optional<int> given;
-    /// Threads to work with; 0: one per core. Throws UsageError for more than there can be.
+    /// Number of threads; 0: one per core. Throws UsageError for too many.
     int count() const;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral tune: error against seconds of settings, on this scene and machine.
+// integral tune: error against seconds of settings, for this scene and machine.
 #include "integral/batch/renderer.h"
 #include "integral/batch/renderer_options.h"
 #include "integral/batch/tune.h"
@@ -53,7 +53,7 @@ int run(const TuneOptions& o)
     if (o.render && !goal.error && !goal.seconds)
         throw UsageError("--render needs a target: --target-error 0.02, or --seconds 60");
     const std::string& scene = o.inputs[0];
-    const Words words(o.inputs.begin() + 1, o.inputs.end());
+    const Arguments words(o.inputs.begin() + 1, o.inputs.end());
     if (o.plot)
         plot_format(*o.plot);
     check_outputs({o.plot, o.output});
@@ -62,7 +62,7 @@ int run(const TuneOptions& o)
         write_plot(tune_plot(scene, result), *o.plot);
     const std::string text = o.json ? tune_json(scene, words, goal, result).dump(2) + "\n"
                                     : tune_text(scene, words, goal, result);
-    // Standard output may be for the picture.
+    // Standard output may be reserved for the picture.
     if (o.render && !o.output && value_of_option(words, "output_file_name", "o") == "-")
         std::fputs(text.c_str(), stderr);
     else

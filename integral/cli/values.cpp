@@ -12,7 +12,7 @@
 namespace integral {
 namespace {
 
-/// Whether the whole of [begin, end) is a finite number.
+/// Reads a finite number that spans the whole of [begin, end). Returns whether there is one.
 bool read_number(const char* begin, const char* end, double& value)
 {
     if (begin != end && *begin == '+')
@@ -23,7 +23,7 @@ bool read_number(const char* begin, const char* end, double& value)
 
 } // namespace
 
-void refuse(const std::string& option, const std::string& text, const std::string& form)
+void throw_usage(const std::string& option, const std::string& text, const std::string& form)
 {
     throw UsageError("--" + option + " " + text + ": " + form + " is expected");
 }
@@ -45,14 +45,14 @@ std::vector<double> parse_numbers(const char* option, const std::string& text, c
         const std::size_t comma = std::min(text.find(',', begin), text.size());
         double value;
         if (!read_number(text.data() + begin, text.data() + comma, value))
-            refuse(option, text, form);
+            throw_usage(option, text, form);
         numbers.push_back(value);
         if (comma == text.size())
             break;
         begin = comma + 1;
     }
     if (numbers.size() < least || numbers.size() > most)
-        refuse(option, text, form);
+        throw_usage(option, text, form);
     return numbers;
 }
 
@@ -66,7 +66,7 @@ double parse_number_between(const char* option, const std::string& text, const c
 {
     const double value = parse_number(option, text, form);
     if (!(value >= least && value <= greatest))
-        refuse(option, text, range);
+        throw_usage(option, text, range);
     return value;
 }
 
@@ -127,7 +127,8 @@ PixelSize parse_size(const char* option, const std::string& text, int most, cons
         good = height.ec == std::errc() && height.ptr == end;
     }
     if (!good || size.width < 1 || size.height < 1 || size.width > most || size.height > most)
-        refuse(option, text, std::string(form) + ", each from 1 to " + std::to_string(most) + ",");
+        throw_usage(option, text,
+                    std::string(form) + ", each from 1 to " + std::to_string(most) + ",");
     return size;
 }
 
@@ -149,10 +150,10 @@ Vec2 parse_size_mm(const char* option, const std::string& text, double most)
         size.x = parse_number(option, text.substr(0, cross), "");
         size.y = parse_number(option, cross == std::string::npos ? "" : text.substr(cross + 1), "");
     } catch (const UsageError&) {
-        refuse(option, text, "WxH, in mm,");
+        throw_usage(option, text, "WxH, in mm,");
     }
     if (!(size.x >= 1 && size.y >= 1 && size.x <= most && size.y <= most))
-        refuse(option, text, "WxH with sides of 1 to " + with_digits(most, 9) + " mm");
+        throw_usage(option, text, "WxH with sides of 1 to " + with_digits(most, 9) + " mm");
     return size;
 }
 
@@ -164,7 +165,7 @@ const char* first_given(std::initializer_list<GivenOption> all)
     return nullptr;
 }
 
-void refuse_given(std::initializer_list<GivenOption> all, const std::string& reason)
+void throw_if_given(std::initializer_list<GivenOption> all, const std::string& reason)
 {
     if (const char* option = first_given(all))
         throw UsageError(std::string("--") + option + " " + reason);
@@ -173,7 +174,7 @@ void refuse_given(std::initializer_list<GivenOption> all, const std::string& rea
 int bits_given(const std::optional<int>& bits, int otherwise)
 {
     if (bits && *bits != 8 && *bits != 16)
-        refuse("bits", std::to_string(*bits), "8 or 16");
+        throw_usage("bits", std::to_string(*bits), "8 or 16");
     return bits.value_or(otherwise);
 }
 
@@ -200,8 +201,8 @@ void check_outputs(std::initializer_list<std::optional<std::string>> paths)
 int in_range(const char* option, int value, int least, int most)
 {
     if (value < least || value > most)
-        refuse(option, std::to_string(value),
-               "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+        throw_usage(option, std::to_string(value),
+                    "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
     return value;
 }
 

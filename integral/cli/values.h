@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Values of options: read strictly, whatever the locale, and refused by name.
+// Parses values of options strictly, in any locale; errors name the option.
 #ifndef INTEGRAL_CLI_VALUES_H
 #define INTEGRAL_CLI_VALUES_H
 
-#include "integral/lightfield/view_grid.h"
+#include "integral/frame/view_grid.h"
 #include "integral/optics/film.h"
 
 #include <initializer_list>
@@ -14,26 +14,25 @@
 namespace integral {
 
 /// Throws UsageError: "--eye 1,2: X,Y,DISTANCE is expected".
-[[noreturn]] void refuse(const std::string& option, const std::string& text,
-                         const std::string& form);
+[[noreturn]] void throw_usage(const std::string& option, const std::string& text,
+                              const std::string& form);
 
 /// Each throws UsageError naming the option, the text and `form`, as in "--eye 1,2: X,Y,DISTANCE
 /// is expected". Numbers are finite decimals.
 double parse_number(const char* option, const std::string& text, const char* form);
 
-/// A number from `least` to `greatest`; a number beyond is refused by the words of `range`.
+/// A number from `least` to `greatest`. If the number is outside, the error quotes `range`.
 double parse_number_between(const char* option, const std::string& text, const char* form,
                             double least, double greatest, const std::string& range);
 
-/// Reads an option's number, if it was given, into `value`.
+/// Reads an option's number into `value`, if given.
 void read_number(const char* option, const std::optional<std::string>& text, double& value);
 
-/// Reads an option's number, if it was given, into `value`, which has to be greater than 0 then.
-/// `form` as above.
+/// Reads an option's number, which must be greater than 0, into `value`, if given. `form` as above.
 void read_positive(const char* option, const std::optional<std::string>& text, double& value,
                    const char* form = "a number");
 
-/// Reads an option's X,Y or X,Y,Z, if it was given, into `value`.
+/// Reads an option's X,Y or X,Y,Z into `value`, if given.
 void read_vector(const char* option, const std::optional<std::string>& text, Vec2& value);
 void read_vector(const char* option, const std::optional<std::string>& text, Vec3& value);
 
@@ -47,21 +46,21 @@ Vec2 parse_one_or_two(const char* option, const std::string& text, const char* f
 /// Dots per inch, across and down: D or D,D, greater than 0.
 Vec2 parse_dpi(const char* option, const std::string& text);
 
-/// WxH, each from 1 to `most`; `form` is what a complaint calls it.
+/// WxH, each from 1 to `most`; `form` describes it in errors.
 PixelSize parse_size(const char* option, const std::string& text, int most,
                      const char* form = "WxH");
 
-/// Reads an option's WxH, if it was given, into `width` and `height`.
+/// Reads an option's WxH into `width` and `height`, if given.
 void read_size(const char* option, const std::optional<std::string>& text, int most, int& width,
                int& height);
 
-/// WxH in mm, as 150x100; each from 1 to `most`.
+/// WxH in mm, e.g. 150x100; each from 1 to `most`.
 Vec2 parse_size_mm(const char* option, const std::string& text, double most);
 
 /// "a, b or c".
 std::string alternatives(const std::vector<std::string>& names);
 
-/// An option's name, and whether the line has it.
+/// An option's name, and whether the line contains it.
 struct GivenOption {
     GivenOption(const char* option, bool is_given) : name(option), given(is_given) {}
     template <class T>
@@ -73,32 +72,31 @@ struct GivenOption {
     bool given;
 };
 
-/// The name of the first of them that was given; none: nullptr.
+/// The name of the first given option; nullptr if there is none.
 const char* first_given(std::initializer_list<GivenOption> all);
 
-/// Throws UsageError "--NAME REASON" for the first of them that was given, if any.
-void refuse_given(std::initializer_list<GivenOption> all, const std::string& reason);
+/// Throws UsageError "--NAME REASON" for the first given option, if any.
+void throw_if_given(std::initializer_list<GivenOption> all, const std::string& reason);
 
-/// A whole number from `least` to `most`.
+/// Returns `value` if it is from `least` to `most`; else throws UsageError.
 int in_range(const char* option, int value, int least, int most);
 
-/// The value of --bits, 8 or 16; `otherwise` if it was not given.
+/// The value of --bits, 8 or 16; `otherwise` if it is not given.
 int bits_given(const std::optional<int>& bits, int otherwise);
 
-/// The path of -o. Throws UsageError "-o WHAT is missing" if it is not given, or empty.
+/// The path of -o. Throws UsageError "-o WHAT is missing" if it is absent or empty.
 std::string needed_output(const std::optional<std::string>& output, const std::string& what);
 
-/// Throws where a picture cannot be written to this path: OutputError for the name of no format, or
-/// a folder that is missing. To be called before long work.
+/// Throws OutputError if no picture can be written to this path: unknown format or missing folder.
+/// To be called before long work.
 void check_picture(const std::string& path);
 
-/// Checks the paths that were given, before long work. Throws OutputError where one cannot be
-/// written.
+/// Checks the given paths before long work. Throws OutputError if one cannot be written.
 void check_outputs(std::initializer_list<std::optional<std::string>> paths);
 
 constexpr int most_views_a_side = 256;
 
-/// CxR views, the value of --views.
+/// Parses CxR views, the value of --views.
 ViewGrid parse_view_grid(const std::string& text);
 
 } // namespace integral

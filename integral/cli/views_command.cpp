@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral views: the views that are in a frame, as a quilt, an animation or files; and the frame
-// of them.
+// integral views: extracts a frame's views as a quilt, an animation or files, and makes frames from
+// views.
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/cli/views_options.h"
 #include "integral/io/image_file.h"
-#include "integral/output/view_export.h"
+#include "integral/views/view_export.h"
 
 #include <iostream>
 
@@ -55,37 +55,37 @@ void declare(options::options_description& all, ViewsOptions& o)
 
 namespace {
 
-/// The views of frames, as pictures.
+/// Writes the views of frames as pictures.
 int make_views(const ViewsOptions& o, const std::string& output, bool animated)
 {
-    ViewExport wanted;
-    wanted.output = output;
-    wanted.sheet = o.sheet.value_or("");
+    ViewExport requested;
+    requested.output = output;
+    requested.sheet = o.sheet.value_or("");
     if (o.views)
-        wanted.grid = parse_view_grid(*o.views);
+        requested.grid = parse_view_grid(*o.views);
     if (o.size)
-        wanted.size = parse_size("size", *o.size, largest_picture_side);
-    wanted.kind = o.eyes                  ? ViewKind::of_eyes
-                  : animated || o.upright ? ViewKind::upright
-                                          : ViewKind::parallel;
-    wanted.files = o.files;
-    wanted.fit = o.fit.value();
-    wanted.animation = animation_settings(o.series);
-    wanted.threads = o.threads.count();
-    wanted.tell = [](const std::string& what) { say("views", what); };
-    wanted.progress = progress_bar;
+        requested.size = parse_size("size", *o.size, largest_picture_side);
+    requested.kind = o.eyes                  ? ViewKind::of_eyes
+                     : animated || o.upright ? ViewKind::upright
+                                             : ViewKind::parallel;
+    requested.files = o.files;
+    requested.fit = o.fit.value();
+    requested.animation = animation_settings(o.series);
+    requested.threads = o.threads.count();
+    requested.tell = [](const std::string& what) { say("views", what); };
+    requested.progress = progress_bar;
     if (o.rgbd) {
-        write_rgbd(o.inputs[0], *o.rgbd, wanted);
+        write_rgbd(o.inputs[0], *o.rgbd, requested);
         return exit_done;
     }
-    const std::string path = o.inputs.size() > 1 ? write_quilts(o.inputs, wanted)
-                                                 : write_views_of_frame(o.inputs[0], wanted);
+    const std::string path = o.inputs.size() > 1 ? write_quilts(o.inputs, requested)
+                                                 : write_views_of_frame(o.inputs[0], requested);
     if (path != output)
         std::cout << path << '\n';
     return exit_done;
 }
 
-/// Refuses options that do not go together. Throws UsageError.
+/// Throws UsageError for options that exclude each other.
 void check_options(const ViewsOptions& o, bool animated)
 {
     if (o.files && (o.to_frame || animated))
@@ -101,9 +101,9 @@ void check_options(const ViewsOptions& o, bool animated)
             "--size is for --eyes, --upright, --rgbd and animations; else parallel views have "
             "a pixel a lens");
     if (!o.to_frame)
-        refuse_given({{"aspect", o.given_views.given_aspect},
-                      {"right-to-left", o.given_views.right_to_left}},
-                     "is for the views of --to-frame");
+        throw_if_given({{"aspect", o.given_views.given_aspect},
+                        {"right-to-left", o.given_views.right_to_left}},
+                       "is for the views of --to-frame");
     if (o.depth && !o.to_frame)
         throw UsageError("--depth is for --to-frame; integral depth measures depth");
     if (o.depth_range && (!o.depth || o.depth == "measured"))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The options of `integral views`, and the way back, --to-frame.
+// The options of `integral views`, and its reverse, --to-frame.
 #ifndef INTEGRAL_CLI_VIEWS_OPTIONS_H
 #define INTEGRAL_CLI_VIEWS_OPTIONS_H
 
@@ -24,7 +24,7 @@ void declare(options::options_description& all, ViewsOptions& o);
 /// ExitStatus. Throws as a command's run does.
 int make_frame(const ViewsOptions& o, const std::string& output, int threads);
 
-/// --to-frame --depth: the same of a frame, views or a photograph, and their depth.
+/// --to-frame --depth: makes a frame from a frame, views or a photograph, and their depths.
 int make_frame_with_depth(const ViewsOptions& o, const std::string& output, int threads);
 
 } // namespace integral

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral views --to-frame: frames made of views, or of pictures and their depth.
+// integral views --to-frame: makes frames from views, or from pictures and their depth.
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/cli/views_options.h"
 #include "integral/depth/relief_frame.h"
 #include "integral/depth/relief_input.h"
 #include "integral/io/image_file.h"
-#include "integral/output/frame_of_views.h"
 #include "integral/replay/arrange.h"
+#include "integral/views/frame_of_views.h"
 
 namespace integral {
 namespace {
 
-/// The views of --to-frame.
-GivenViews given_views(const ViewsOptions& o)
+/// Reads the views of --to-frame.
+ViewInput given_views(const ViewsOptions& o)
 {
     ViewsRequest request;
     if (o.views)
@@ -24,7 +24,7 @@ GivenViews given_views(const ViewsOptions& o)
     return read_given_views(o.inputs, request);
 }
 
-/// Throws UsageError where the geometry of `file` has no size of a frame.
+/// Throws UsageError if the geometry of `file` has no frame size.
 void check_film(const std::string& file, const Film& film)
 {
     if (film.width < 1)
@@ -38,7 +38,7 @@ int make_frame(const ViewsOptions& o, const std::string& output, int threads)
     const std::string& input = o.inputs[0];
     check_writable(output);
     const Fit fit = o.fit.value();
-    GivenViews given = given_views(o);
+    ViewInput given = given_views(o);
     const std::string sheet = o.sheet.value_or("");
     if (sheet.empty() && !given.metadata)
         throw UsageError("--to-frame needs --sheet FILE.json here, the geometry of the frame "
@@ -69,7 +69,7 @@ int make_frame(const ViewsOptions& o, const std::string& output, int threads)
 
 namespace {
 
-/// The new frame's geometry: --sheet's, else that of the views' own frame.
+/// The new frame's geometry: from --sheet, else from the views' own frame.
 FrameMetadata geometry_of(const ViewsOptions& o)
 {
     FrameMetadata geometry;

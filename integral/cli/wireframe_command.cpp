@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral wireframe: a mesh as a micro-image frame, by geometric projection.
+// integral wireframe: draws a mesh as a micro-image frame, by geometric projection.
 #include "integral/cli/choices.h"
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/thread_options.h"
 #include "integral/cli/values.h"
+#include "integral/frame/names.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/names.h"
 #include "integral/wireframe/mesh_file.h"
 #include "integral/wireframe/point_squares.h"
 #include "integral/wireframe/wireframe.h"
@@ -124,7 +124,7 @@ MeshPlace place_of(const WireframeOptions& o)
     return place;
 }
 
-/// --parallax: the eye of the scene is where the frame of --sheet has it, or else the viewer's.
+/// --parallax: sets the factor, for a scene's eye `scene_distance` mm in front of the sheet.
 void change_parallax(const WireframeOptions& o, double scene_distance, FrameMetadata& geometry)
 {
     if (o.parallax)
@@ -133,7 +133,7 @@ void change_parallax(const WireframeOptions& o, double scene_distance, FrameMeta
             scene_distance};
 }
 
-/// The frame's geometry that the line says.
+/// The frame's geometry on the line.
 FrameMetadata geometry_of(const WireframeOptions& o)
 {
     FrameMetadata geometry = given_geometry(o.start, o.sheet, o.film, o.print);
@@ -150,11 +150,11 @@ FrameMetadata geometry_of(const WireframeOptions& o)
     return geometry;
 }
 
-/// What the frame's document says of its drawing.
+/// The drawing's record for the frame's document.
 RenderRecord record_of(const WireframeOptions& o, const FrameMetadata& geometry)
 {
     RenderRecord record;
-    if (geometry.render) { // of --sheet FRAME
+    if (geometry.render) { // from --sheet FRAME
         record.model = geometry.render->model;
         record.mapping = geometry.render->mapping;
         record.pseudoscopic = geometry.render->pseudoscopic;
@@ -200,7 +200,7 @@ Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
     return mesh;
 }
 
-/// The samples' bits of a frame that goes to `output`: 32 for floats.
+/// Bits per sample of a frame written to `output`: 32 for floats.
 int bits_of(const WireframeOptions& o, const std::string& output)
 {
     const bool floats = format_for(output) == ImageFormat::exr;
@@ -210,7 +210,7 @@ int bits_of(const WireframeOptions& o, const std::string& output)
     return floats ? 32 : bits;
 }
 
-/// Gives the points of a file that has nothing else a size.
+/// Gives points a size if the file has nothing else.
 void enlarge_points(const WireframeOptions& o, WireframeRequest& request)
 {
     Mesh& mesh = request.mesh;
@@ -229,7 +229,7 @@ void enlarge_points(const WireframeOptions& o, WireframeRequest& request)
     if (side > 0) {
         add_squares(mesh, side);
         request.faces = FaceStyle::flat;
-        request.light = {0, 0, -1}; // leaves their colours as they are
+        request.light = {0, 0, -1}; // leaves the colours unchanged
     }
 }
 

@@ -13,7 +13,7 @@
 namespace integral {
 namespace {
 
-/// The encoding in which two pictures are compared: the one that is not linear, if there is one.
+/// The encoding in which two pictures are compared: the non-linear one of the two, if there is one.
 Encoding common_encoding(const Image& a, const Image& b)
 {
     return a.encoding.kind == Encoding::Kind::linear ? b.encoding : a.encoding;
@@ -45,14 +45,14 @@ public:
 
 private:
     const Image& image_;
-    std::optional<LinearReader> linear_; ///< where stored values are not enough
+    std::optional<LinearReader> linear_; ///< if stored values are not enough
     Encoding encoding_;
     bool as_stored_;
 };
 
 constexpr double no_figure = std::numeric_limits<double>::quiet_NaN();
 
-/// How two values of a channel compare.
+/// Comparison of two values of a channel.
 struct ChannelPair {
     ChannelPair(float a, float b)
         : equal(a == b || (std::isnan(a) && std::isnan(b))),
@@ -62,12 +62,12 @@ struct ChannelPair {
     }
 
     bool equal;
-    bool finite;       ///< whether both are
+    bool finite;       ///< whether both values are
     double difference; ///< 0 unless both are finite
     bool has_size() const { return equal || finite; }
 };
 
-/// The luma of those channels that are finite in both pictures.
+/// The luma of the channels that are finite in both pictures.
 float luma(Colour c, const ChannelPair channels[3])
 {
     const auto value = [&](int k, float v) { return channels[k].finite ? v : 0.0f; };
@@ -116,24 +116,24 @@ private:
     Lattice lattice_;
     using Sums = std::map<std::pair<std::int64_t, std::int64_t>, Sum>; // by row, then column
     Sums sums_;
-    Sums::value_type* last_ = nullptr; // of the pixel before, which mostly has the same lens
+    Sums::value_type* last_ = nullptr; // of the previous pixel, which mostly has the same lens
 };
 
-/// What one row of two pictures adds to the figures.
+/// The contribution of one row of two pictures to the figures.
 struct RowFigures {
     double largest = 0;              ///< the largest difference of any channel
-    double pixels = 0;               ///< their weight
-    double close = 0, differing = 0; ///< weight of those within 2/255, and beyond the tolerance
+    double pixels = 0;               ///< weight of all pixels
+    double close = 0, differing = 0; ///< weight of pixels within 2/255, and beyond the tolerance
     NotFinitePixels not_finite;
 };
 
 /// The differences of some rows of two pictures.
 struct Differences {
     std::vector<double> squares; ///< for each pixel, the weighted sum over its channels
-    std::vector<float> channels; ///< for each pixel, the weight of the channels of that sum
+    std::vector<float> channels; ///< for each pixel, the total weight of the channels in its sum
     std::vector<float> luma_a, luma_b;
     std::vector<float> light_a[3], light_b[3]; ///< R, G, B for FLIP; else empty
-    std::vector<LensIndex> lenses; ///< for each pixel; empty where there is no geometry
+    std::vector<LensIndex> lenses;             ///< for each pixel; empty where there is no geometry
     std::vector<RowFigures> rows;
 };
 
@@ -232,7 +232,7 @@ struct Comparer::State {
         d.lenses.resize(micro_images ? count : 0);
         d.rows.resize(std::size_t(rows));
         for_each_row(rows, 0, [&](int row) { take_row(a, b, y + row, row); });
-        // In order, so that the sums are the same however many threads there are.
+        // In order, so that the sums do not depend on the number of threads.
         for (const RowFigures& row : d.rows) {
             result.largest_difference = std::max(result.largest_difference, row.largest);
             pixels += row.pixels;
@@ -264,14 +264,14 @@ struct Comparer::State {
 
     ComparisonSettings settings;
     int width, height;
-    bool alpha; ///< whether both have alpha
+    bool alpha; ///< whether both pictures have alpha
     Comparison result;
     std::optional<MicroImages> micro_images;
     std::optional<Similarity> similarity;
     std::optional<Flip> flip;
     Differences d;
     double squares = 0;
-    double sized_channels = 0; ///< weight of the channels that the squares are over
+    double sized_channels = 0; ///< total weight of the channels that `squares` is over
     double pixels = 0, close = 0, differing = 0; ///< weights, as in RowFigures
     int taken = 0;
 };

@@ -11,7 +11,7 @@
 namespace integral {
 namespace {
 
-/// Calls take(band) for all rows of a picture, and starts it again.
+/// Calls take(band) for all rows of a picture, and then sets the reader back to the first row.
 template <class Take> void read_all(FrameReader& reader, const Take& take)
 {
     const Image& form = reader.frame().image;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Two pictures compared while they are read, and their difference and FLIP map written.
+// Compares two pictures while they are read, and writes their difference and FLIP map.
 #ifndef INTEGRAL_COMPARE_COMPARE_FILES_H
 #define INTEGRAL_COMPARE_COMPARE_FILES_H
 
@@ -17,9 +17,9 @@ struct ComparisonOutputs {
     std::string flip_map; ///< needs FLIP; an .exr holds its values, others show it in colours
 };
 
-/// Compares two pictures of which no row has been read; only some rows of each are in memory at a
-/// time. `name_of_b` is its file's, for messages. Throws InputError, OutputError,
-/// std::invalid_argument as settings_of does, and Interrupted.
+/// Compares two pictures, with only some rows of each in memory at a time. No row of either may
+/// have been read before. `name_of_b` is the name of b's file, for messages. Throws InputError,
+/// OutputError, std::invalid_argument as settings_of does, and Interrupted.
 Comparison compare_files(FrameReader& a, FrameReader& b, const std::string& name_of_b,
                          const ComparisonRules& rules, const ComparisonOutputs& outputs);
 

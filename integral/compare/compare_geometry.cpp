@@ -10,7 +10,7 @@
 namespace integral {
 namespace {
 
-/// The document's fields that are compared; without `with_render` none of the render.
+/// The fields of the document that are compared; without `with_render`, none about rendering.
 Json geometry_of(const FrameMetadata& metadata, bool with_render)
 {
     Json json = parse_json(to_json(metadata));

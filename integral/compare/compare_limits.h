@@ -16,28 +16,28 @@ namespace integral {
 struct LimitKind {
     const char* word; ///< in files of tolerances: max_rmse; as an option: --max-rmse
     const char* name; ///< in messages
-    bool is_most; ///< whether the figure must not exceed its limit; else it must not fall below it
-    double least, greatest;  ///< the range of limits that make sense
-    const char* value_name;  ///< what stands for the value in the option's help
+    bool is_most; ///< true: a figure above its limit fails; false: one below it fails
+    double least, greatest;  ///< the range of valid limits
+    const char* value_name;  ///< placeholder of the value in the option's help
     const char* explanation; ///< the option's help
-    bool is_share = false;   ///< a share of the pixels, which may be given and is shown as 0.1%
+    bool is_share = false;   ///< a share of the pixels: may be given, and is shown, as a percentage
 };
 
 inline constexpr std::size_t limit_count = 7;
-/// The places in limit_kinds of the limits for the worst micro-image and for FLIP.
+/// Indices in limit_kinds of the limits for the worst micro-image and for FLIP.
 inline constexpr std::size_t micro_image_limit = 4, flip_limit = 6;
 extern const std::array<LimitKind, limit_count> limit_kinds;
 
 /// The limit of each kind; empty where there is none.
 using Limits = std::array<std::optional<double>, limit_count>;
 
-/// The figure that a kind limits: of what eyes see where the comparison has that, except for the
-/// micro-images; empty where a comparison does not have it: the worst micro-image
-/// without geometry, FLIP where it was not asked for, all figures where no value is finite in both
+/// The figure that a kind limits: the eyes' views' if the comparison has them, else the pixels';
+/// the micro-images' figure is always of pixels. Empty if the comparison lacks it: the worst
+/// micro-image without geometry, FLIP unless requested, all figures if no value is finite in both
 /// pictures.
 std::optional<double> figure_of(const Comparison& comparison, std::size_t kind);
 
-/// Reads a share of the pixels: "0.1%", or a number without the sign. Empty if it is neither.
+/// Reads a share of the pixels: "0.1%", or a number without %. Empty if the text is neither.
 std::optional<double> share_of(const std::string& text);
 
 /// A figure or limit of that kind in words, with `digits` significant digits: "0.19", "0.1%".
@@ -47,7 +47,7 @@ std::string limit_text(std::size_t kind, double value, int digits);
 bool keeps(double figure, std::size_t kind, double limit);
 
 /// The limits that the figures miss, in words: "RMSE 0.2 is greater than 0.19". A figure that the
-/// comparison does not have misses no limit. Unequal NaN and infinite values miss any limit.
+/// comparison lacks misses no limit. Unequal NaN and infinite values miss any limit.
 std::vector<std::string> missed_limits(const Limits& limits, const Comparison& comparison);
 
 } // namespace integral

@@ -2,7 +2,7 @@
 #include "integral/compare/figures_json.h"
 
 #include "integral/compare/seen.h"
-#include "integral/lightfield/names.h"
+#include "integral/frame/names.h"
 
 namespace integral {
 

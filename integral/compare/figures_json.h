@@ -8,8 +8,8 @@
 
 namespace integral {
 
-/// An object of all figures. An infinite PSNR, a missing worst micro-image, and figures
-/// that are NaN because no value is finite in both pictures are null.
+/// An object of all figures. An infinite PSNR, a missing worst micro-image, and figures that are
+/// NaN because no value is finite in both pictures are null.
 Json figures_json(const Comparison& comparison);
 
 } // namespace integral

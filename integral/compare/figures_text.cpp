@@ -3,7 +3,7 @@
 
 #include "integral/base/number_text.h"
 #include "integral/compare/seen.h"
-#include "integral/lightfield/names.h"
+#include "integral/frame/names.h"
 
 #include <cmath>
 #include <cstdio>

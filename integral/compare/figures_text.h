@@ -13,7 +13,7 @@ namespace integral {
 /// first at 3,4".
 std::string unequal_text(const NotFinitePixels& pixels);
 
-/// The lines of FLIP in that table.
+/// The lines of FLIP in the table of figures_text.
 std::string flip_text(const FlipFigures& flip);
 
 /// A table, a figure in each line.

@@ -14,12 +14,12 @@ namespace {
 
 constexpr int bins = 1 << 16; // of the map's values, for the quartiles
 
-/// What is filtered along the rows, and then down the columns.
+/// The planes that are filtered along the rows, and then down the columns.
 enum Plane { plane_y, plane_xy, plane_yz_first, plane_yz_second, smooth, edge, point, planes };
 
-/// A filter whose values are in groups of four, with zeros behind the last. A detector's values add
-/// up to 0. It weighs differences from the centre, so that flat parts give exactly 0: FLIP takes a
-/// root of it, which would make much of rounding.
+/// A filter whose values are in groups of four, with zeros behind the last. The values of a
+/// detector add up to 0. Detectors weigh differences from the centre, so that flat parts give
+/// exactly 0: FLIP takes a root of the result, which would magnify rounding errors.
 struct Filter {
     explicit Filter(const FlipTaps& taps, bool detects = false)
         : radius(taps.radius), detects(detects), values(taps.values)
@@ -44,8 +44,8 @@ struct Filters {
     Filter luminance, red_green, blue_yellow[2], smooth, edge, point;
 };
 
-/// Filters one row. `from` points to its first pixel; it goes on `radius` + 3 pixels at both ends.
-/// `zeros`: as many as pixels.
+/// Filters one row. `from` points to its first pixel, and has `radius` + 3 more pixels before it
+/// and behind the last. `zeros`: one zero for each pixel.
 void filter_along(float* to, const float* from, const Filter& filter, const float* zeros, int count)
 {
     const float* centre = filter.detects ? from : zeros;
@@ -80,7 +80,7 @@ struct Flip::State {
         map.resize(std::size_t(band) * width);
     }
 
-    /// A channel of a row of light; the rows that are kept form a ring.
+    /// A channel of a row of light; the rows in memory form a ring.
     float* light(int picture, int y, int channel)
     {
         return lights[picture].data() + (std::size_t(y % kept) * 3 + channel) * width;
@@ -91,7 +91,7 @@ struct Flip::State {
         return filtered[picture].data() + (std::size_t(y % kept) * planes + which) * width;
     }
 
-    /// Filters row y of a picture along the row. `factor`: of the exposure; 0: as it is.
+    /// Filters row y of a picture along the row. `factor`: of the exposure; 0: no tone mapping.
     void filter_row(int picture, int y, float factor)
     {
         const int margin = radius + 4, padded = width + 2 * margin;
@@ -109,7 +109,7 @@ struct Flip::State {
         for (int k = 0; k < 3; ++k)
             row[k] = rows.data() + std::size_t(k) * padded + margin;
         opponent_from_rgb({row[0], row[1], row[2]}, rgb[0], rgb[1], rgb[2], width);
-        for (float* r : row) { // the picture goes on beyond its edges as at the edge
+        for (float* r : row) { // the picture's edge pixels are repeated beyond its edges
             std::fill(r - margin, r, r[0]);
             std::fill(r + width, r + width + margin, r[width - 1]);
         }
@@ -125,7 +125,7 @@ struct Flip::State {
         along(point, row[0], filters.point);
     }
 
-    /// Filters a plane down the columns at row y, and sets `to` or adds to it.
+    /// Filters a plane down the columns at row y, and stores the result in `to` or adds it.
     void filter_down(float* to, int picture, int y, Plane which, const Filter& filter, bool adds)
     {
         const float* centre = filter.detects ? plane(picture, y, which) : zeros.data();
@@ -139,7 +139,7 @@ struct Flip::State {
         }
     }
 
-    /// FLIP of row y of the pictures that have been filtered along.
+    /// FLIP of row y of the pictures, which have been filtered along the rows.
     void map_row(float* to, int y)
     {
         constexpr int rows = 7;
@@ -165,7 +165,7 @@ struct Flip::State {
         flip_of(to, both[0], both[1], width);
     }
 
-    /// Computes the map's next `rows` rows, whose surroundings are there.
+    /// Computes the map's next `rows` rows. The rows around them must be in memory.
     void finish_rows(int rows)
     {
         const int first = std::max(0, finished - radius),
@@ -191,8 +191,8 @@ struct Flip::State {
         finished += rows;
     }
 
-    /// Adds the map's next rows to the figures, in order, so that the sums are the same however
-    /// many threads there are.
+    /// Adds the map's next rows to the figures, in order, so that the sums do not depend on the
+    /// number of threads.
     void count_rows(int rows)
     {
         std::vector<float> weights(std::size_t(width), 1.0f);
@@ -222,7 +222,7 @@ struct Flip::State {
     Filters filters;
     int radius, band, kept;
     std::vector<float> lights[2], filtered[2], map, zeros;
-    std::vector<double> sums; ///< of the map's values, by value
+    std::vector<double> sums; ///< of the map's values, in bins by value
     double sum = 0, weight = 0;
     float greatest = 0;
     int greatest_x = 0, greatest_y = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// FLIP: how much of a difference a person perceives who sees two pictures in turn at one place.
+// FLIP: the difference that a person perceives who sees two pictures in turn at one place.
 #ifndef INTEGRAL_COMPARE_FLIP_H
 #define INTEGRAL_COMPARE_FLIP_H
 
@@ -21,7 +21,7 @@ struct FlipSettings {
 /// Figures of a FLIP map, 0 (equal) to 1.
 struct FlipFigures {
     double mean = 0;
-    /// A quarter, a half and three quarters of the sum of the map are in pixels up to this value.
+    /// Pixels up to these values hold a quarter, a half and three quarters of the map's sum.
     double quartiles[3] = {0, 0, 0};
     double greatest = 0;
     int x = 0, y = 0; ///< the first pixel with the greatest value

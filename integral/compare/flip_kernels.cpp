@@ -28,7 +28,7 @@ double sum_of(const std::vector<double>& values)
     return sum;
 }
 
-/// Values times a factor, without those at the ends that change no float.
+/// Values times a factor, without values at the ends that are too small to change a float.
 FlipTaps taps_of(const std::vector<double>& values, double factor)
 {
     double greatest = 0;
@@ -93,7 +93,7 @@ FlipKernels flip_kernels(double ppd)
     // Table 1: contrast sensitivity a1 exp(-b1 f^2) + a2 exp(-b2 f^2), f in cycles per degree.
     constexpr double luminance_b = 0.0047, red_green_b = 0.0053;
     constexpr double blue_yellow_a[] = {34.1, 13.5}, blue_yellow_b[] = {0.04, 0.025};
-    // Three standard deviations of the widest.
+    // Three standard deviations of the widest filter.
     const int radius = int(std::ceil(3 * std::sqrt(blue_yellow_b[0] / (2 * pi * pi)) * ppd));
     const auto alone = [&](double b) {
         const auto values = sensitivity(b, radius, ppd);
@@ -156,7 +156,7 @@ FlipExposures FlipExposureMeter::exposures() const
 {
     if (bright_ == 0)
         return {0, 0, 1};
-    // The rank among the bright ones, at the middle of the pixel that has it.
+    // The median's rank among pixels that are not dark, in the middle of the median's pixel.
     const double rank = dark_ > bright_ ? bright_ / 2.0 : (bright_ - double(dark_)) / 2.0;
     double below = 0, median = greatest_;
     for (std::size_t k = 0; k < counts_.size(); ++k) {

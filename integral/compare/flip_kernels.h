@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What FLIP filters pictures with, and the exposures of HDR-FLIP: Andersson and others, "FLIP: A
-// Difference Evaluator for Alternating Images" (2020), and Andersson and others, "Visualizing
-// Errors in Rendered High Dynamic Range Images" (2021). Equation numbers below are the former's.
+// The filters of FLIP, and the exposures of HDR-FLIP: Andersson and others, "FLIP: A Difference
+// Evaluator for Alternating Images" (2020), and Andersson and others, "Visualizing Errors in
+// Rendered High Dynamic Range Images" (2021). Equation numbers below are the first paper's.
 #ifndef INTEGRAL_COMPARE_FLIP_KERNELS_H
 #define INTEGRAL_COMPARE_FLIP_KERNELS_H
 
@@ -23,8 +23,8 @@ struct FlipKernels {
     /// The filter of blue and yellow is the sum of two products: each of these with itself.
     FlipTaps blue_yellow[2];
     FlipTaps smooth;      ///< Gaussian, across the direction of a detector
-    FlipTaps edge, point; ///< derivatives of it; positive weights add up to 1, negative ones to -1
-    int radius = 0;       ///< the greatest radius of these
+    FlipTaps edge, point; ///< derivatives of `smooth`; positive weights add up to 1, negative to -1
+    int radius = 0;       ///< the greatest radius of these filters
 };
 
 /// The default of FLIP's authors: 3840 pixels on 0.7 m, seen from 0.7 m.
@@ -41,15 +41,15 @@ struct FlipExposures {
     double at(int index) const;
 };
 
-/// Finds the exposures for a reference picture from its luminances: from the one that shows its
-/// greatest at 0.85 of full scale to the one that shows its median so.
+/// Finds the exposures for a reference picture from its luminances. At the first exposure the
+/// greatest luminance is shown at 0.85 of full scale, at the last the median.
 class FlipExposureMeter {
 public:
     FlipExposureMeter();
-    /// Takes a pixel's luminance. Those that are not finite, and those below 0, count as 0.
+    /// Takes a pixel's luminance. Values that are not finite or are below 0 count as 0.
     void add(float luminance);
-    /// The median is that of the luminances above 0 where more than half are 0. Where none is above
-    /// 0, one exposure of 0 stops.
+    /// If more than half of the luminances are 0, uses the median of those above 0. If none is
+    /// above 0, returns one exposure of 0 stops.
     FlipExposures exposures() const;
 
 private:
@@ -58,7 +58,7 @@ private:
     float greatest_ = 0;
 };
 
-/// Conversion between linear sRGB and CIE XYZ in units of the white's: rows R, G, B and X, Y, Z.
+/// Conversion between linear sRGB and CIE XYZ relative to white: rows R, G, B and X, Y, Z.
 struct FlipMatrices {
     double relative_from_rgb[3][3], rgb_from_relative[3][3];
 };

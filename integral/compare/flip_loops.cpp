@@ -102,8 +102,8 @@ struct Lab {
     float l, a, b;
 };
 
-/// CIELAB with Hunt's effect: colours are weaker where it is darker (section 4.1.2). x, y, z: in
-/// units of the white's.
+/// CIELAB with Hunt's effect: colours are weaker where it is darker (section 4.1.2). x, y, z:
+/// relative to white.
 INTEGRAL_LANE Lab hunt_adjusted(float x, float y, float z)
 {
     const float fx = lab_curve(x), fy = lab_curve(y), fz = lab_curve(z);
@@ -117,7 +117,7 @@ INTEGRAL_LANE float distance_of(Lab p, Lab q)
     return std::fabs(p.l - q.l) + std::sqrt(da * da + db * db);
 }
 
-/// The perceived colour of filtered light, which is brought back into the gamut.
+/// The perceived colour of filtered light, which is clamped to the gamut.
 INTEGRAL_LANE Lab perceived(float y, float xy, float yz, const float to_rgb[3][3],
                             const float from_rgb[3][3])
 {
@@ -133,7 +133,7 @@ INTEGRAL_LANE Lab perceived(float y, float xy, float yz, const float to_rgb[3][3
 constexpr float colour_exponent = 0.7f;              // q_c
 constexpr float knee_of_colour = 0.4f, knee = 0.95f; // p_c, p_t
 
-/// The greatest colour difference: of Hunt-adjusted green and blue, to the power of q_c.
+/// The greatest colour difference: between Hunt-adjusted green and blue, to the power of q_c.
 float greatest_difference()
 {
     const auto& m = flip_matrices().relative_from_rgb;
@@ -168,7 +168,7 @@ INTEGRAL_VECTORS void tone_map(float* __restrict to, const float* light, float f
         const float x = (light[i] > 0 ? light[i] : 0.0f) * factor;
         // Narkowicz's fit, as in flip_kernels.cpp.
         const float mapped = x * (0.9036f * x + 0.018f) / (x * (0.8748f * x + 0.354f) + 0.14f);
-        // Far above the curve's end the quotient may be infinity by infinity.
+        // For very large x the quotient may be infinity / infinity.
         to[i] = x < 1e6f ? clamped(mapped) : 1.0f;
     }
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The inner loops of FLIP, over floats that follow each other, compiled to vector instructions. The
-// results are the same on every processor.
+// Inner loops of FLIP over contiguous floats, compiled to vector instructions. The results are the
+// same on every processor.
 #ifndef INTEGRAL_COMPARE_FLIP_LOOPS_H
 #define INTEGRAL_COMPARE_FLIP_LOOPS_H
 
 namespace integral {
 
-/// Light in the opponent colours that FLIP filters, linear in R, G and B: Y, X - Y and Y - Z in
-/// units of the white's (YCxCz of the paper without its offset and factors).
+/// Light in the opponent colours that FLIP filters, linear in R, G and B: Y, X - Y and Y - Z,
+/// relative to white (YCxCz of the paper without its offset and factors).
 struct OpponentRow {
     float *y, *xy, *yz;
 };
@@ -19,7 +19,7 @@ void opponent_from_rgb(const OpponentRow& to, const float* r, const float* g, co
 /// Multiplies light by `factor` and maps it by ACES' filmic curve to 0 to 1.
 void tone_map(float* to, const float* light, float factor, int count);
 
-/// to = the sum of taps[k] (from[k] - centre) over four rows; then to += that sum.
+/// set_four: to = sum of taps[k] (from[k] - centre) over four rows; add_four: to += that sum.
 void set_four(float* to, const float* const from[4], const float* centre, const float taps[4],
               int count);
 void add_four(float* to, const float* const from[4], const float* centre, const float taps[4],
@@ -28,7 +28,7 @@ void add_four(float* to, const float* const from[4], const float* centre, const 
 /// The filtered rows of one picture.
 struct FlipRow {
     const float *y, *xy, *yz;                         ///< as the eye resolves them
-    const float *edge_x, *edge_y, *point_x, *point_y; ///< what the detectors give
+    const float *edge_x, *edge_y, *point_x, *point_y; ///< results of the detectors
 };
 
 /// FLIP of each pixel, 0 to 1.

@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_COMPARE_FLIP_MAP_H
 #define INTEGRAL_COMPARE_FLIP_MAP_H
 
-#include "integral/lightfield/image.h"
+#include "integral/frame/image.h"
 
 namespace integral {
 
@@ -11,8 +11,7 @@ namespace integral {
 /// yellow (1), lighter all the way.
 Colour flip_colour(float value);
 
-/// The form of a map's picture: in colours, 8 bits; or with `as_values`, grey floats that are the
-/// values.
+/// The form of a map's picture: colours of 8 bits or, with `as_values`, the values as grey floats.
 Image flip_map_form(int width, int height, bool as_values);
 
 /// Rows of the map as a picture of that form.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How much each pixel counts in a comparison: regions of a picture that are ignored or weighted.
+// Weights of pixels in a comparison: regions of a picture that are ignored or weighted.
 #ifndef INTEGRAL_COMPARE_PIXEL_WEIGHTS_H
 #define INTEGRAL_COMPARE_PIXEL_WEIGHTS_H
 
-#include "integral/lightfield/frame.h"
+#include "integral/frame/frame.h"
 
 #include <cstdint>
 #include <optional>
@@ -22,7 +22,7 @@ struct Region {
 };
 
 /// Reads "X,Y,WxH" (pixels from the top left), or "lens:COLUMN,ROW" (as the worst micro-image is
-/// named) where either may be a range, "lens:-2..5,0". Throws std::invalid_argument.
+/// named), in which either number may be a range, "lens:-2..5,0". Throws std::invalid_argument.
 Region region_of(const std::string& words, double weight);
 
 /// Weights of a picture's pixels: 1, times the mask's value, times the weight of each region that

@@ -141,7 +141,7 @@ void Similarity::add(const float* a, const float* b, int rows)
         return;
     std::vector<std::vector<double>> terms(std::size_t(end - first));
     for_each_row(end - first, 0, [&](int k) { add_centres(first + k, terms[std::size_t(k)]); });
-    // In order, so that the sum is the same however many threads there are.
+    // In order, so that the sum does not depend on the number of threads.
     for (int k = 0; k < end - first; ++k) {
         const auto weights = weights_of_centres(first + k);
         const auto& row = terms[std::size_t(k)];

@@ -14,8 +14,8 @@ namespace integral {
 /// Computes the mean SSIM of Wang, Bovik, Sheikh and Simoncelli (2004): Gaussian window 11x11 of
 /// sigma 1.5, K1 = 0.01, K2 = 0.03, range 1, over all windows that lie wholly in the picture. Along
 /// a side shorter than 11 pixels, windows are cut at the picture's edge and their weights scaled to
-/// add up to 1. A window counts as its centre does. Keeps in memory the rows of one window and of
-/// one call of add.
+/// add up to 1. A window has the weight of its centre. Keeps in memory the rows of one window and
+/// of one call of add.
 class Similarity {
 public:
     /// `weights` of the centres; may be empty.
@@ -36,7 +36,7 @@ private:
     std::size_t place(int y, int moment) const;
 
     int width_, height_;
-    /// The windows' centres: the first ones, and those after the last.
+    /// The windows' centres: [left_, right_) across and [top_, bottom_) down.
     int left_, right_, top_, bottom_;
     std::vector<double> taps_;
     /// A ring of the last rows: for each centre across, five means weighted along the row.

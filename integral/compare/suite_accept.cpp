@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The documents beside a picture in which its geometry may stand.
+/// The documents next to a picture that may contain its geometry.
 std::vector<std::string> documents_of(const std::string& picture)
 {
     return {picture + ".json", fs::path(picture).replace_extension(".json").string()};
 }
 
-/// The name within a folder of a path that leads into it; of other paths, something else.
+/// A path relative to a folder; the path itself if there is no such path.
 std::string name_within(const std::string& folder, const std::string& path)
 {
     std::error_code error;

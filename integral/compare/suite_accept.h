@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Results of a suite become its references.
+// Makes results of a suite its references.
 #ifndef INTEGRAL_COMPARE_SUITE_ACCEPT_H
 #define INTEGRAL_COMPARE_SUITE_ACCEPT_H
 
@@ -11,15 +11,15 @@
 
 namespace integral {
 
-/// Called after each picture: its name, its reference's path, and what that is now: "is new", "is
-/// replaced" or "is removed".
+/// Called after each picture with its name, its reference's path, and the reference's new state:
+/// "is new", "is replaced" or "is removed".
 using Accepted = std::function<void(const std::string& name, const std::string& reference,
                                     const char* now)>;
 
-/// Copies results over their references, with the geometry documents beside them, and removes the
+/// Copies results over their references, with the geometry documents next to them, and removes the
 /// references of results that are gone. Each is given by its name within the folder of results, or
-/// by its path. Nothing is changed unless every name is a result that can be read, or a reference.
-/// Throws InputError, OutputError.
+/// by its path. Changes nothing unless every name is a readable result or a reference. Throws
+/// InputError, OutputError.
 void accept_results(const std::vector<std::string>& given, const SuiteFolders& folders,
                     const Accepted& accepted);
 

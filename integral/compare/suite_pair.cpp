@@ -101,7 +101,7 @@ void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictu
         pair.state = PairState::no_reference;
         pair.faults.push_back("there is no reference; --accept " + pair.name + " makes it one");
     }
-    if (pair.missing() && !pictures.wanted && !pictures.thumbnails)
+    if (pair.missing() && !pictures.requested && !pictures.thumbnails)
         return;
     std::optional<Frame> reference, result;
     if (pair.has_reference)
@@ -115,10 +115,10 @@ void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictu
             pair.faults.push_back("it has " + size_of(result->image) +
                                   " pixels, its reference has " + size_of(reference->image));
         } else {
-            compare_frames(pair, *reference, *result, pictures.wanted, compare_seen, details);
+            compare_frames(pair, *reference, *result, pictures.requested, compare_seen, details);
         }
     }
-    if (pictures.wanted)
+    if (pictures.requested)
         pair.pictures = suite_pictures(pair, reference, result, pictures.gain, details);
     if (pictures.thumbnails && !pair.passed())
         pair.thumbnail = suite_thumbnail(pair, reference, result, details);

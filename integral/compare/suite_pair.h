@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// One picture of a suite compared with its reference.
+// Compares one picture of a suite with its reference.
 #ifndef INTEGRAL_COMPARE_SUITE_PAIR_H
 #define INTEGRAL_COMPARE_SUITE_PAIR_H
 
@@ -12,7 +12,7 @@
 
 namespace integral {
 
-/// The outcome for a pair. Where several hold, it is the one that stands last here.
+/// The outcome for a pair. If several outcomes apply, the last of them in this list is taken.
 enum class PairState {
     passed,
     over_limit,
@@ -42,9 +42,9 @@ struct SuitePair {
     Limits limits;
     ComparisonRules rules;
     std::optional<Comparison> figures; ///< empty unless both were read and have the same size
-    std::string pictures;              ///< HTML that shows both, if a report is wanted
-    std::string comparator;            ///< HTML that opens their comparison; empty: none
-    std::optional<Image> thumbnail; ///< of a failed pair: reference, result, difference
+    std::string pictures;              ///< HTML that shows both, if a report is requested
+    std::string comparator;            ///< HTML that opens the comparison of both; empty: none
+    std::optional<Image> thumbnail;    ///< of a failed pair: reference, result, difference
 
     bool missing() const { return state >= PairState::no_reference; }
     bool passed() const { return state == PairState::passed; }
@@ -52,14 +52,14 @@ struct SuitePair {
 
 /// The pictures of a report.
 struct SuitePictures {
-    bool wanted = false; ///< whether there is a report
+    bool requested = false;  ///< whether there is a report
     bool thumbnails = false; ///< whether there is a summary with small pictures
-    double gain = 0;     ///< multiplies the differences; 0: each so that it can be seen
+    double gain = 0;         ///< multiplies the differences; 0: chosen to make each visible
 };
 
-/// Compares a pair, or reads the one file that there is, and fills in state, faults, figures and
-/// pictures. Files that cannot be read are noted as faults, not thrown. `compare_seen` compares
-/// what eyes see where the pair's rules ask for that and both frames have geometry.
+/// Compares a pair, or reads its only file, and fills in state, faults, figures and pictures. Files
+/// that cannot be read are noted as faults, not thrown. `compare_seen` compares the eyes' views
+/// where the pair's rules require it and both frames have geometry.
 void compare_pair(SuitePair& pair, const SuiteFolders& folders, const SuitePictures& pictures,
                   const CompareSeen& compare_seen);
 

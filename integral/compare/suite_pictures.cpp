@@ -21,7 +21,7 @@ figcaption { color: var(--quiet); font-size: 0.87rem; margin: 0 0 3px; }
 
 namespace {
 
-// Pixels of the longer side. Three pictures of shown_failed fit beside each other.
+// The longer sides, in pixels. Three pictures of shown_failed fit side by side.
 constexpr int shown_failed = 376, shown_small = 176, magnified_side = 240;
 
 struct Rectangle {
@@ -44,7 +44,7 @@ struct Detail {
     std::string words;
 };
 
-/// The pixel that differs most, of those for which counts(x, y) is true.
+/// The pixel that differs most, among the pixels for which counts(x, y) is true.
 template <class Counts> Vec2 worst_pixel(const Image& difference, Counts counts)
 {
     float most = -1;
@@ -122,8 +122,8 @@ double full_scale_gain(const Comparison& figures)
     return figures.largest_difference > 0 ? 1 / figures.largest_difference : 1;
 }
 
-/// Where the pictures differ most, magnified, and that place in words. `times` is the caption of
-/// the difference.
+/// The place where the pictures differ most, magnified and in words. `times` is the caption of the
+/// difference.
 std::string magnified_detail(const Comparison& figures, const Frame& reference, const Frame& result,
                              const Image& difference, const std::string& times,
                              const PairDetails& details)
@@ -144,7 +144,7 @@ std::string magnified_detail(const Comparison& figures, const Frame& reference, 
            "</div>\n";
 }
 
-/// What the worst eye sees, and a table of all eyes.
+/// The worst eye's views, and a table of all eyes.
 std::string seen_part(const SeenFigures& seen, int longest)
 {
     const SeenByEye& worst = seen.eyes[seen.worst];
@@ -203,7 +203,7 @@ std::string suite_pictures(const SuitePair& pair, const std::optional<Frame>& re
         return html + "</div>\n";
 
     const double least = std::min(pair.figures->largest_difference, 8 * pair.figures->rmse);
-    if (gain == 0) // a whole number, which the caption can state exactly
+    if (gain == 0) // a whole number, so that the caption can state it exactly
         gain = least > 0 ? std::clamp(std::floor(1 / least), 1.0, 65535.0) : 1;
     Image difference = difference_picture(reference->image, result->image, gain,
                                           details.weights.get());

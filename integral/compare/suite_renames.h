@@ -7,9 +7,9 @@
 
 namespace integral {
 
-/// Adds to the faults of each missing result the name of a result without a reference that has the
-/// same pixels, and the other way round. Reads only pictures without a counterpart. To be called
-/// after the comparison.
+/// Finds results without a reference that have the pixels of the reference of a missing result, and
+/// adds each one's name to the other's faults. Reads only pictures without a counterpart. To be
+/// called after the comparison.
 void note_renames(Suite& suite);
 
 } // namespace integral

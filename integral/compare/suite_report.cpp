@@ -37,7 +37,7 @@ std::string unused_fault(const Suite& suite, const std::string& fault)
     return suite.tolerances + ": " + fault;
 }
 
-/// The pairs in the page's order: those that failed first.
+/// The pairs in the page's order: failed ones first.
 std::vector<const SuitePair*> failed_first(const Suite& suite)
 {
     std::vector<const SuitePair*> pairs;
@@ -58,7 +58,7 @@ std::string figure_text(double figure, std::size_t kind)
                               : limit_text(kind, figure, 4);
 }
 
-/// Whether a pair has this figure, so that the table has its column.
+/// Whether any pair has this figure, so that the table has its column.
 bool has_column(const Suite& suite, std::size_t kind)
 {
     return kind < 4 || std::any_of(suite.pairs.begin(), suite.pairs.end(), [&](const SuitePair& p) {

@@ -17,21 +17,21 @@ struct Suite {
     bool passed() const;
 };
 
-/// "12 compared, 2 failed, 1 missing": the number of pairs of two files, of those among them that
-/// failed, and of files without a counterpart.
+/// "12 compared, 2 failed, 1 missing": the numbers of pairs of two files, of failed pairs among
+/// them, and of files without a counterpart.
 std::string suite_summary(const Suite& suite);
 
 /// HTML: a paragraph for each fault.
 std::string fault_lines(const std::vector<std::string>& faults);
 
-/// One HTML page: a table, failed pairs first, then the pairs' pictures. `folder` is where the page
-/// will lie, for its links to the files; empty: it has no links.
+/// One HTML page: a table, failed pairs first, then the pairs' pictures. `folder` is the folder of
+/// the page, for its links to the files; empty: no links.
 std::string suite_page(const Suite& suite, const std::string& folder);
 
 /// All outcomes, faults, limits and figures, as a JSON document.
 std::string suite_json(const Suite& suite);
 
-/// JUnit's XML: a test case for each pair. One that failed holds `failure`, or `error` for a
+/// JUnit's XML: a test case for each pair. A failed one contains `failure`, or `error` for a
 /// damaged file.
 std::string suite_junit(const Suite& suite);
 

@@ -26,7 +26,7 @@ std::string without_slash_at_end(std::string path)
     return path;
 }
 
-/// The folder `references` beside another.
+/// The folder `references` next to another.
 std::string references_beside(const std::string& folder)
 {
     return ((fs::path(folder) / "..").lexically_normal() / "references")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A suite of pictures compared with their references: which pairs there are, within which
-// tolerances, and what the comparison of all of them gives.
+// Compares a suite of pictures with their references: finds the pairs and their tolerances, and
+// compares all of them.
 #ifndef INTEGRAL_COMPARE_SUITE_RUN_H
 #define INTEGRAL_COMPARE_SUITE_RUN_H
 
@@ -13,7 +13,7 @@
 
 namespace integral {
 
-/// The suite's two folders. `references` is by default the folder of that name beside `results`.
+/// The suite's two folders. `references` is by default the folder of that name next to `results`.
 /// Throws InputError where one of them is no folder, std::invalid_argument where they are the same.
 /// `may_be_new`: the references may be missing, as they are about to be made.
 SuiteFolders suite_folders(const std::string& results, const std::optional<std::string>& references,
@@ -28,7 +28,7 @@ std::set<std::string> references_in(const SuiteFolders& folders);
 
 struct SuiteTolerances {
     Tolerances tolerances;
-    std::string file; ///< where they stand; empty: nowhere, there are none
+    std::string file; ///< their document; empty: there are none
 };
 
 /// Reads the tolerances of `file`; by default of suite.json among the references, if it is there.
@@ -40,8 +40,8 @@ SuiteTolerances read_tolerances(const SuiteFolders& folders,
 /// is no picture.
 Suite suite_of(const SuiteFolders& folders, const SuiteTolerances& limits);
 
-/// Compares all pairs, `threads` at a time (0: one per core). Returns whether all were compared:
-/// false if `progress` stopped it.
+/// Compares all pairs, `threads` at a time (0: one per core). Returns false if `progress` stopped
+/// the work.
 bool compare_suite(Suite& suite, const SuitePictures& pictures, const CompareSeen& compare_seen,
                    int threads, const Progress& progress = {});
 

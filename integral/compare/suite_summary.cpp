@@ -72,7 +72,7 @@ void write_suite_summary(const Suite& suite, const std::string& path)
         return write_file(path, suite_markdown(suite, ""));
     const std::string folder = path + ".pictures";
     std::error_code ignored;
-    fs::remove_all(folder, ignored); // those of an earlier run
+    fs::remove_all(folder, ignored); // pictures of an earlier run
     for (const SuitePair& pair : suite.pairs)
         if (pair.thumbnail) {
             make_folder(folder);

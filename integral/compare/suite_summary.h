@@ -8,8 +8,8 @@
 namespace integral {
 
 /// The Markdown: the counts, and a table of the pairs that failed, at most 50, each with its faults
-/// and, where it has one, its picture. `pictures`: the folder of the pictures as links of the
-/// Markdown begin; a pair's picture is thumbnail_name in it.
+/// and, where it has one, its picture. `pictures`: the pictures' folder, with which the Markdown's
+/// links begin; a pair's picture is thumbnail_name in it.
 std::string suite_markdown(const Suite& suite, const std::string& pictures);
 
 /// The file name for a pair's small picture.

@@ -13,7 +13,7 @@
 namespace integral {
 namespace {
 
-[[noreturn]] void refuse(int line, const std::string& what)
+[[noreturn]] void throw_input(int line, const std::string& what)
 {
     throw std::invalid_argument("line " + std::to_string(line) + ": " + what);
 }
@@ -24,7 +24,7 @@ std::string quoted(const std::string& text) { return '"' + excerpt(text) + '"'; 
 void expect_object(int line, const std::string& name, const Json& json)
 {
     if (!json.is_object())
-        refuse(line, name + " must be an object, { ... }");
+        throw_input(line, name + " must be an object, { ... }");
 }
 
 /// The words that are no limits.
@@ -43,10 +43,10 @@ std::optional<double> limit_at(int line, const std::string& word, const LimitKin
     else if (kind.is_share && value.is_string())
         limit = share_of(value.get<std::string>());
     if (!limit || !(*limit >= kind.least && *limit <= kind.greatest))
-        refuse(line, quoted(word) + " must be a number from " + with_digits(kind.least, 6) +
-                         " to " + with_digits(kind.greatest, 6) +
-                         (kind.is_share ? ", or a share such as \"0.1%\"" : "") +
-                         ", or null for no limit");
+        throw_input(line, quoted(word) + " must be a number from " + with_digits(kind.least, 6) +
+                              " to " + with_digits(kind.greatest, 6) +
+                              (kind.is_share ? ", or a share such as \"0.1%\"" : "") +
+                              ", or null for no limit");
     return limit;
 }
 
@@ -54,8 +54,8 @@ double number_at(int line, const std::string& word, const Json& value, double le
                  double greatest)
 {
     if (!(value.is_number() && value.get<double>() >= least && value.get<double>() <= greatest))
-        refuse(line, quoted(word) + " must be a number from " + with_digits(least, 6) + " to " +
-                         with_digits(greatest, 6));
+        throw_input(line, quoted(word) + " must be a number from " + with_digits(least, 6) +
+                              " to " + with_digits(greatest, 6));
     return value.get<double>();
 }
 
@@ -64,7 +64,7 @@ Region region_at(int line, const std::string& words, double weight)
     try {
         return region_of(words, weight);
     } catch (const std::invalid_argument& error) {
-        refuse(line, error.what());
+        throw_input(line, error.what());
     }
 }
 
@@ -79,7 +79,7 @@ void read_other(ToleranceChanges& changes, const LinedJson& document, const std:
         changes.ppd = number_at(line, word, value, least_ppd, greatest_ppd);
     } else if (word == "seen") {
         if (!value.is_boolean())
-            refuse(line, "\"seen\" must be true or false");
+            throw_input(line, "\"seen\" must be true or false");
         changes.seen = value.get<bool>();
     } else if (word == "eyes") {
         std::vector<std::string> words;
@@ -88,19 +88,19 @@ void read_other(ToleranceChanges& changes, const LinedJson& document, const std:
         try {
             changes.eyes = seen_eyes_of(words);
         } catch (const std::invalid_argument& error) {
-            refuse(line, error.what());
+            throw_input(line, error.what());
         }
     } else if (word == "mask") {
         if (!value.is_string() || value.get<std::string>().empty())
-            refuse(line, "\"mask\" must be the path of a picture");
+            throw_input(line, "\"mask\" must be the path of a picture");
         changes.mask = value.get<std::string>();
     } else if (word == "ignore") {
         if (!value.is_array())
-            refuse(line, "\"ignore\" must be a list of regions, [\"X,Y,WxH\", ...]");
+            throw_input(line, "\"ignore\" must be a list of regions, [\"X,Y,WxH\", ...]");
         for (const Json& region : value) {
             if (!region.is_string())
-                refuse(document.line_of(region), "a region in \"ignore\" must be text, "
-                                                 "\"X,Y,WxH\" or \"lens:COLUMN,ROW\"");
+                throw_input(document.line_of(region), "a region in \"ignore\" must be text, "
+                                                      "\"X,Y,WxH\" or \"lens:COLUMN,ROW\"");
             changes.regions.push_back(
                 region_at(document.line_of(region), region.get<std::string>(), 0));
         }
@@ -134,7 +134,8 @@ void read_changes(ToleranceChanges& changes, const LinedJson& document, const st
                 words += std::string(words.empty() ? "" : ", ") + known.word;
             for (const char* known : other_words)
                 words += std::string(", ") + known;
-            refuse(line, quoted(word) + " in " + quoted(name) + " is unknown; there are: " + words);
+            throw_input(line,
+                        quoted(word) + " in " + quoted(name) + " is unknown; there are: " + words);
         }
         read_other(changes, document, word, value);
     }
@@ -188,7 +189,7 @@ Tolerances tolerances_from_json(const std::string& text)
                 tolerances.entries.push_back(entry);
             }
         } else {
-            refuse(line, quoted(word) + " is unknown; there are: defaults, files");
+            throw_input(line, quoted(word) + " is unknown; there are: defaults, files");
         }
     }
     return tolerances;

@@ -17,9 +17,9 @@
 
 namespace integral {
 
-/// What an object of the document changes.
+/// Changes that an object of the document makes.
 struct ToleranceChanges {
-    /// By kind. An empty limit, the document's null, lifts one.
+    /// Limits by kind. An empty one (null in the document) removes a limit.
     std::vector<std::pair<std::size_t, std::optional<double>>> limits;
     std::optional<double> channel_tolerance, ppd;
     std::vector<Region> regions;     ///< these add up
@@ -34,13 +34,13 @@ struct Tolerances {
     /// Changes for the files that a pattern matches.
     struct Entry : ToleranceChanges {
         std::string pattern;
-        int line = 0; ///< where the entry stands in the document, from 1
+        int line = 0; ///< the entry's line in the document, from 1
     };
     std::vector<Entry> entries; ///< in the document's order
 };
 
-/// Reads the document. Throws std::invalid_argument, which says the line and what is wrong in it,
-/// and the legal words where one is unknown.
+/// Reads the document. Throws std::invalid_argument with the line, its error and, for an unknown
+/// word, the legal words.
 Tolerances tolerances_from_json(const std::string& text);
 
 /// Whether a file's name, relative to the suite and with / between folders, is the pattern itself
@@ -52,8 +52,8 @@ bool matches(const std::string& pattern, const std::string& name);
 /// largest difference is limited to 0.
 Limits limits_for(const Tolerances& tolerances, const std::string& name);
 
-/// How a file is compared: the defaults with the changes of every entry that matches, in order.
-/// FLIP is computed if the file has a limit for it, or if the defaults ask for it. Paths of masks
+/// Rules for comparing a file: the defaults with the changes of every entry that matches, in order.
+/// FLIP is computed if the file has a limit for it, or if the defaults enable it. Paths of masks
 /// are relative to the document's folder.
 ComparisonRules rules_for(const Tolerances& tolerances, const std::string& name);
 

@@ -15,7 +15,7 @@
 namespace integral {
 namespace {
 
-constexpr float one_surface = 0.15f; ///< disparity: steps below it are slopes of a surface
+constexpr float one_surface = 0.15f; ///< disparity: a smaller step lies within one surface
 
 /// The four pixels around a place, and their weights.
 struct Corners {
@@ -51,7 +51,7 @@ float between(const std::vector<float>& values, const Corners& corners)
     return sum;
 }
 
-/// The value there: linear within a surface, the nearest corner's across a step or beside nothing.
+/// Interpolates linearly within a surface; takes the nearest corner across a step or next to NaN.
 float depth_between(const std::vector<float>& values, const Corners& corners)
 {
     const auto nearest = std::max_element(corners.weight, corners.weight + 4) - corners.weight;
@@ -67,7 +67,7 @@ void put(std::string& bytes, const void* value, std::size_t size)
     bytes.append(static_cast<const char*>(value), size);
 }
 
-/// Points where the lines of sight from the eye meet their depth.
+/// The text of a .ply file: the points, at known depths, on the lines of sight through the pixels.
 std::string ply_of(const UprightMap& map)
 {
     if (!map.scale)

@@ -9,12 +9,12 @@
 
 namespace integral {
 
-/// A depth map that stands upright and has square pixels, and the colours that were seen there.
-/// Row by row from the top left.
+/// An upright depth map with square pixels, and the colours at its pixels; row by row from the top
+/// left.
 struct UprightMap {
     int width = 0, height = 0;
     double pixel = 1;                ///< mm on the sheet; 1 where millimetres are not known
-    std::optional<DepthScale> scale; ///< nothing: disparities are all that is known
+    std::optional<DepthScale> scale; ///< nothing: only disparities are known
     std::vector<float> disparity;    ///< NaN: nothing is known here
     std::vector<float> confidence;   ///< 0 to 1
     ColourPlanes colour;             ///< stored values; 1 is full scale
@@ -23,28 +23,28 @@ struct UprightMap {
     std::vector<float> depths() const;
 };
 
-/// The map of a set's middle view on a rectangle of `width_mm` x `height_mm` about the sheet's
-/// centre, with `columns` pixels across (0: about as many as the view has). Between pixels of one
-/// surface it is linear; across a step it takes the nearest.
+/// Resamples the map of a set's middle view on a rectangle of `width_mm` x `height_mm` about the
+/// sheet's centre, with `columns` pixels across (0: about as many as the view has). Interpolates
+/// depth linearly within a surface and takes the nearest pixel's across a step.
 UprightMap upright_map(const ViewSet& views, const DepthMap& map, double width_mm, double height_mm,
                        int columns);
 
-/// The disparities between which all but a hundredth of a map's pixels are.
+/// Range of a map's known disparities without the lowest and the highest 0.5%.
 DisparityRange shown_range(const UprightMap& map);
 
-/// Writes a map by its name: .pfm (depths(); NaN where nothing is known), .exr (channels Z:
-/// depths(), A: 1 or 0 where nothing is known, disparity, confidence), .png (coloured, with a
-/// scale), .ply (points in mm with colours; x right, y up, z behind the sheet). Throws OutputError;
-/// std::invalid_argument for points of a map without millimetres.
+/// Writes a map in the format of its name: .pfm (depths(); NaN where nothing is known), .exr
+/// (channels Z: depths(), A: 1 or 0 where nothing is known, disparity, confidence), .png (coloured,
+/// with a scale), .ply (points in mm with colours; x right, y up, z behind the sheet). Throws
+/// OutputError; std::invalid_argument if a .ply is requested of a map without millimetres.
 void write_depth(const std::string& path, const UprightMap& map);
 
 /// Writes colours and, to their right, depths as greys: white at the near end of shown_range(),
-/// black at the far one and where nothing is known, equal steps for equal steps of parallax, as
-/// rgbd_picture (replay/rgbd.h) has them. Returns the disparities of black and white. Throws
+/// black at the far end and where nothing is known. Equal steps of grey are equal steps of
+/// parallax, as in rgbd_picture (views/rgbd.h). Returns the disparities of black and white. Throws
 /// OutputError.
 DisparityRange write_rgbd(const std::string& path, const UprightMap& map);
 
-/// Whether write_depth knows the name's ending.
+/// Whether write_depth supports the name's ending.
 bool is_depth_file(const std::string& path);
 
 } // namespace integral

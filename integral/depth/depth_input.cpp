@@ -3,8 +3,8 @@
 
 #include "integral/base/interrupt.h"
 #include "integral/io/image_file.h"
-#include "integral/output/given_views.h"
-#include "integral/replay/parallel_views.h"
+#include "integral/views/parallel_views.h"
+#include "integral/views/view_input.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -19,7 +19,7 @@ DepthInput of_frame(const Frame& frame, int threads, const Progress& progress)
             form_of(frame.image)};
 }
 
-/// The rows of views in the other order, the lowest first.
+/// Reverses the order of the rows of views, so that the lowest row comes first.
 void turn_over(std::vector<Image>& views, ViewGrid grid)
 {
     for (int low = 0, high = grid.rows - 1; low < high; ++low, --high)
@@ -28,7 +28,7 @@ void turn_over(std::vector<Image>& views, ViewGrid grid)
                       views[std::size_t(high * grid.columns + column)]);
 }
 
-/// Where perspective views were taken from.
+/// Eyes of perspective views.
 ViewEyes eyes_in(const GivenZone& zone, ViewGrid grid)
 {
     return {{zone.eyes.zone.x / grid.columns, zone.eyes.zone.y / grid.rows},
@@ -36,11 +36,11 @@ ViewEyes eyes_in(const GivenZone& zone, ViewGrid grid)
             zone.width};
 }
 
-/// The frame that parallel views were taken of.
-Frame frame_of(const GivenViews& given, ViewGrid grid, int threads, const Progress& progress)
+/// The frame from which parallel views were taken.
+Frame frame_of(const ViewInput& given, ViewGrid grid, int threads, const Progress& progress)
 {
     FrameMetadata metadata = *given.metadata;
-    auto image = frame_from_views(given.views, metadata, grid, threads, progress);
+    auto image = frame_from_parallel_views(given.views, metadata, grid, threads, progress);
     if (!image)
         throw Interrupted();
     metadata.quilt.reset();
@@ -52,12 +52,12 @@ Frame frame_of(const GivenViews& given, ViewGrid grid, int threads, const Progre
 DepthInput of_views(const std::vector<std::string>& inputs, const DepthRequest& request,
                     int threads, const Progress& progress)
 {
-    ViewsRequest wanted;
-    wanted.grid = request.grid;
-    wanted.needs_geometry = false;
-    wanted.of_eyes = true;
-    wanted.aspect = request.aspect;
-    GivenViews given = read_given_views(inputs, wanted);
+    ViewsRequest requested;
+    requested.grid = request.grid;
+    requested.needs_geometry = false;
+    requested.of_eyes = true;
+    requested.aspect = request.aspect;
+    ViewInput given = read_given_views(inputs, requested);
     ViewGrid grid = given.grid;
     std::optional<ViewEyes> eyes = request.eyes;
     if (given.metadata)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Reads what depth is to be measured in: a frame, or views.
+// Reads the input of a depth measurement: a frame, or views.
 #ifndef INTEGRAL_DEPTH_DEPTH_INPUT_H
 #define INTEGRAL_DEPTH_DEPTH_INPUT_H
 
@@ -9,37 +9,37 @@
 
 namespace integral {
 
-/// The eyes of views that are spread over the zone of a sheet, and how wide a view is in the image
-/// plane, mm.
+/// Eyes that are spread over the viewing zone of a sheet, and the width (mm) of their views in the
+/// image plane.
 struct GivenZone {
     EyeGrid eyes;
     double width = 0;
     LensSheet sheet;
 };
 
-/// What is known of the inputs besides what they say themselves.
+/// Facts about the inputs that the files may lack.
 struct DepthRequest {
-    std::optional<ViewGrid> grid;  ///< of the views; nothing: as they say
-    std::optional<ViewEyes> eyes;  ///< where they were taken from; nothing: as they say
-    std::optional<GivenZone> zone; ///< the same, where neither they nor `eyes` say it
-    bool top_first = false;        ///< the files' first row of views is from above
+    std::optional<ViewGrid> grid;  ///< of the views; nothing: as in the files
+    std::optional<ViewEyes> eyes;  ///< of the views; nothing: as in the files
+    std::optional<GivenZone> zone; ///< the eyes, if neither the files nor `eyes` give them
+    bool top_first = false;        ///< the first row of views in the files is the highest
     bool right_to_left = false;    ///< the views stand from right to left
-    std::optional<double> aspect;  ///< the views' shape, as in ViewsRequest
-    std::string sheet;             ///< a file with the frame's geometry; "": it carries its own
+    std::optional<double> aspect;  ///< the views' shape, as in ViewsRequest (view_input.h)
+    std::string sheet;             ///< a file with the frame's geometry; "": the frame has it
 };
 
-/// The views, the size of the picture in mm (pixels, where mm are not known), and the geometry of
-/// the frame, if it is one.
+/// The views, the size of the picture in mm (pixels, where mm are not known), and, for a frame, its
+/// geometry.
 struct DepthInput {
-    ViewSet views; ///< not softened
+    ViewSet views; ///< before soften()
     double width = 0, height = 0;
     std::optional<FrameMetadata> frame;
     Image form; ///< of the pictures: sample type and encoding, without samples
 };
 
-/// One frame, one quilt or MPO, or the files of all views. Parallel views of a frame become that
-/// frame again. Throws InputError, std::invalid_argument where the request does not go with the
-/// inputs, Interrupted.
+/// Reads one frame, one quilt or MPO, or the files of all views. Turns parallel views of a frame
+/// back into that frame. Throws InputError, std::invalid_argument where the request does not fit
+/// the inputs, Interrupted.
 DepthInput read_depth_input(const std::vector<std::string>& inputs, const DepthRequest& request,
                             int threads, const Progress& progress);
 

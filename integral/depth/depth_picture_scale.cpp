@@ -11,8 +11,8 @@
 namespace integral {
 namespace {
 
-/// The colour of a part of the way from far (0) to near (1): stops of the map "cividis" (Nuñez,
-/// Anderton and Renslow 2018), which those see alike who do not tell red from green.
+/// Colour at a position from far (0) to near (1), between stops of the map "cividis" (Nuñez,
+/// Anderton and Renslow 2018), which looks the same to readers with red-green colour blindness.
 PlotInk colour_of(double part)
 {
     constexpr PlotInk stops[] = {
@@ -27,7 +27,7 @@ PlotInk colour_of(double part)
             mix(stops[low].blue, stops[low + 1].blue)};
 }
 
-/// The scale: colours with the numbers beside them, near at the top.
+/// The scale: colours with numbers next to them, near at the top.
 Image scale_picture(const UprightMap& map, DisparityRange range, int height)
 {
     constexpr int width = 90, bar = 16, margin = 10;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A depth map as a picture in colours, with the scale that they stand for.
+// Draws a depth map in colours, with their scale.
 #ifndef INTEGRAL_DEPTH_DEPTH_PICTURE_SCALE_H
 #define INTEGRAL_DEPTH_DEPTH_PICTURE_SCALE_H
 
@@ -7,9 +7,9 @@
 
 namespace integral {
 
-/// Yellow is near, dark blue far (in steps that colour-blind readers can tell), and grey where
-/// nothing is known. Colours are even in disparity; the scale on the right says the millimetres, or
-/// if they are not known the disparities. sRGB of 8 bits.
+/// Yellow is near, dark blue far (in steps that colour-blind readers can distinguish), and grey
+/// where nothing is known. Equal steps of disparity are equal steps of the colour map. The scale on
+/// the right is in millimetres or, if they are not known, in disparities. sRGB of 8 bits.
 Image depth_picture_with_scale(const UprightMap& map);
 
 } // namespace integral

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Settings of measuring depth, from quick to exact.
+// Settings for measuring depth, from fast to accurate.
 #ifndef INTEGRAL_DEPTH_DEPTH_QUALITY_H
 #define INTEGRAL_DEPTH_DEPTH_QUALITY_H
 
@@ -16,12 +16,12 @@ std::optional<DepthQuality> depth_quality(const std::string& name);
 
 MultibaselineSettings settings_for(DepthQuality quality);
 
-/// Whether a view counts whose point of disparity 1 is so far from the middle one's.
+/// Whether a view with that DepthView::shift is used at that quality.
 bool is_kept(Vec2 shift, DepthQuality quality);
 
-/// Leaves out views: draft keeps those to the left, right, above and below of the middle one, good
-/// and best also those on the diagonals. The others lie between these: they cost time, and the half
-/// of the views that agrees best is told worse with them. Views that all stand in one row are kept.
+/// Removes views: draft keeps the views to the left, right, above and below the middle one; good
+/// and best also keep the views on the diagonals. Others cost time and make the half of the views
+/// that agrees best harder to find. Keeps views that all stand in a row.
 void keep_views(ViewSet& views, DepthQuality quality);
 
 } // namespace integral

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Reads the truth that a depth map is scored against, and reports the figures of a measurement.
+// Reads the true depth against which a map is scored, and reports the figures of a measurement.
 #ifndef INTEGRAL_DEPTH_DEPTH_REPORT_H
 #define INTEGRAL_DEPTH_DEPTH_REPORT_H
 
@@ -9,17 +9,17 @@
 
 namespace integral {
 
-/// The true disparities of the middle view: of a depth frame (.exr) of the frame that the views
-/// come from, or of a map of disparities (.pfm). Throws InputError, and std::invalid_argument where
-/// the file does not go with the views.
+/// Reads the true disparities of the middle view from the depth frame (.exr) of the frame that the
+/// views come from, or from a map of disparities (.pfm). Throws InputError, and
+/// std::invalid_argument if the file does not fit the views.
 std::vector<float> read_truth(const std::string& path, const DepthInput& input);
 
 struct DepthFigures {
     std::size_t views = 0;
     int width = 0, height = 0; ///< of the map, pixels
-    DisparityRange range;      ///< that was searched
+    DisparityRange range;      ///< searched
     double seconds = 0;
-    std::optional<DepthScores> scores; ///< where the truth is known
+    std::optional<DepthScores> scores; ///< if the truth is known
 };
 
 std::string figures_text(const DepthFigures& figures);

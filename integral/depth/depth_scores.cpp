@@ -12,7 +12,7 @@
 namespace integral {
 namespace {
 
-/// Whether any value within `reach` pixels differs from the pixel's own by more than `step`.
+/// Whether any value within `reach` pixels differs by more than `step` from the pixel's value.
 bool is_near_step(const std::vector<float>& values, int width, int height, int x, int y, int reach,
                   float step)
 {

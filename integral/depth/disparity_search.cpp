@@ -17,7 +17,7 @@ namespace {
 
 constexpr int rows_of_a_block = 32;
 
-/// The best label of each pixel so far, and the means beside it.
+/// The best label of each pixel so far, its mean vote, and the mean votes of its two neighbours.
 class Winners {
 public:
     explicit Winners(std::size_t pixels)
@@ -29,7 +29,7 @@ public:
           sum_(pixels, 0)
     {
     }
-    /// Takes the means of the next label.
+    /// Adds the mean votes of the next label.
     void add(int label, const float* mean)
     {
         for (std::size_t i = 0; i < best_.size(); ++i) {
@@ -44,7 +44,7 @@ public:
             sum_[i] += mean[i];
         }
     }
-    /// The place of the top of the parabola through the three means; whole at the ends.
+    /// Fractional label at the top of the parabola through the three means; whole at the ends.
     double label(std::size_t i, int count) const
     {
         if (label_[i] == 0 || label_[i] == count - 1)

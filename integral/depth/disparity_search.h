@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Finds the disparity of each pixel on which most views agree.
+// Finds, for each pixel, the disparity on which most views agree.
 #ifndef INTEGRAL_DEPTH_DISPARITY_SEARCH_H
 #define INTEGRAL_DEPTH_DISPARITY_SEARCH_H
 
@@ -17,14 +17,14 @@ struct DisparityRange {
 struct DepthMap {
     int width = 0, height = 0;
     std::vector<float> disparity;  ///< NaN for a pixel without light
-    std::vector<float> confidence; ///< 0 to 1: how much more views agree than for others on average
-    DisparityRange range;          ///< that was searched
+    std::vector<float> confidence; ///< 0 to 1: the best disparity's vote minus the average vote
+    DisparityRange range;          ///< searched
 };
 
 /// A map of the set's size, all 0.
 DepthMap blank_map(const ViewSet& views);
 
-/// The disparities that are tried: three at least.
+/// The disparities to try, at least three.
 struct Labels {
     Labels(DisparityRange range, double wanted_step);
     double at(double label) const { return first + label * step; }
@@ -33,7 +33,7 @@ struct Labels {
     double step;
 };
 
-/// Tries all labels, filters their mean votes within even colours, and takes the best.
+/// Tries all labels, smooths their mean votes within areas of similar colour, and takes the best.
 class Search {
 public:
     /// The views and the votes must outlive this.
@@ -43,7 +43,7 @@ public:
     /// Writes rows [first, last) of the map.
     void rows(int first, int last, DepthMap& map) const;
 
-    /// Writes all rows. `threads`, `progress` and the result as for_each_row's.
+    /// Writes all rows. `threads`, `progress` and the result as in for_each_row.
     bool all_rows(int threads, DepthMap& map, const Progress& progress) const;
 
 private:

@@ -19,10 +19,10 @@ float squared_difference(const ColourPlanes& colours, std::size_t a, std::size_t
     return sum;
 }
 
-/// The weight of a neighbour a part of the filter's reach away.
+/// Weight of a neighbour at a fraction of the filter's half-width.
 double spatial_weight(double part) { return std::exp(-1.5 * part * part); }
 
-/// The sum of the weights of each pixel's neighbours on both sides, and of its own, 1.
+/// For each pixel: 1 / (1 + the weights of its neighbours on both sides); its own weight is 1.
 std::vector<float> inverse_sums(const std::vector<std::vector<float>>& weights, std::size_t count,
                                 std::size_t step)
 {
@@ -37,7 +37,7 @@ std::vector<float> inverse_sums(const std::vector<std::vector<float>>& weights, 
     return sum;
 }
 
-/// Adds weighted neighbours, `step` values apart, on both sides.
+/// Weighted mean of each value and its neighbours, `step` values apart, on both sides.
 void filter(const float* from, float* to, const std::vector<std::vector<float>>& weights,
             const std::vector<float>& norm, std::size_t step)
 {

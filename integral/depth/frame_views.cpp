@@ -4,7 +4,7 @@
 
 #include "integral/base/interrupt.h"
 #include "integral/optics/lens_mapping.h"
-#include "integral/replay/view_lenses.h"
+#include "integral/views/view_lenses.h"
 
 #include <algorithm>
 #include <climits>
@@ -17,7 +17,7 @@ namespace {
 
 using Light = std::optional<std::array<float, 3>>;
 
-/// The light that leaves a frame's lenses, between the pixels behind them.
+/// The light that leaves a frame's lenses, interpolated between the pixels behind them.
 class LensLight {
 public:
     LensLight(const Frame& frame, const SheetOptics& optics, int threads, const Progress& progress)
@@ -36,7 +36,7 @@ public:
             throw Interrupted();
     }
 
-    /// What an eye on the aperture's plane sees at a point of the sheet.
+    /// The light that an eye on the aperture's plane receives from a point of the sheet.
     Light seen(Vec2 point, Vec2 eye) const
     {
         LensIndex lens;
@@ -63,7 +63,7 @@ private:
 
     std::size_t index(int x, int y) const { return std::size_t(y) * film_.width + x; }
 
-    /// Whether a pixel shows light through that lens.
+    /// Whether a film pixel lies inside the film and shows light through `lens`.
     bool belongs(int x, int y, LensIndex lens) const
     {
         if (x < 0 || y < 0 || x >= film_.width || y >= film_.height)
@@ -72,7 +72,7 @@ private:
         return owner.i == lens.i && owner.j == lens.j;
     }
 
-    /// Linear between the four pixels around a place, of those that belong to the lens.
+    /// Interpolates between the four film pixels around a place, without other lenses' pixels.
     Light interpolated(Vec2 at, LensIndex lens) const
     {
         const int left = int(std::floor(at.x)), top = int(std::floor(at.y));
@@ -101,10 +101,11 @@ private:
     const Frame& frame_;
     Film film_;
     const SheetOptics& optics_;
-    std::vector<Lens> lens_of_; ///< of each film pixel
+    std::vector<Lens> lens_of_; ///< the lens of each film pixel
 };
 
-/// The eyes on the aperture's plane, a film pixel's width apart; farther if they were too many.
+/// Eyes on the aperture's plane, as far apart as the images there of neighbouring film pixels;
+/// farther if these would be too many.
 struct Eyes {
     Vec2 spacing; ///< mm
     int columns = 1, rows = 1;
@@ -114,7 +115,7 @@ struct Eyes {
     }
 };
 
-/// Throws where the film is smaller than a single lens: then the geometry is another picture's.
+/// Throws if the film is smaller than a single lens: the geometry then belongs to another picture.
 void check_lenses_on_film(const FrameMetadata& metadata)
 {
     const ViewGrid lens = natural_views(metadata);
@@ -135,7 +136,7 @@ Eyes eyes_of(const FrameMetadata& metadata)
     const auto pixels = [&](double width, double pitch) {
         return micro_image_width(sheet, distance, width) / pitch;
     };
-    // One fewer than there are pixels, so that each lies between two of them under every lens.
+    // One eye fewer than a lens has pixels, so that each eye lies between two pixels of every lens.
     const auto count = [](double pixels) {
         return std::min(most_a_side, int(std::floor(pixels + 1e-6)) - 1);
     };
@@ -160,7 +161,7 @@ Eyes eyes_of(const FrameMetadata& metadata)
     return eyes;
 }
 
-/// Draws views of a sheet's lenses, turned as in ViewSet where they lie across.
+/// Draws views of a sheet's lenses; turned (see ViewSet) if the lenses lie across.
 class SheetViews {
 public:
     SheetViews(const Frame& frame, int threads, const Progress& progress)
@@ -215,7 +216,7 @@ public:
 private:
     bool is_shifted(int row) const { return (lenses.window.first.j - row) & 1; }
 
-    /// The middle of a row's lens.
+    /// The middle of the lens in a column and row.
     Vec2 middle(int column, int row) const
     {
         if (lenses.lie_across)
@@ -224,8 +225,8 @@ private:
         return lenses.middle(lenses.lens_at(hexagonal ? 2 * column + first : column, row), 0, row);
     }
 
-    /// Lenses of odd rows stand half a lens to the right: gives such a row the places of the
-    /// others, by cubic interpolation.
+    /// Resamples a row whose lenses stand half a lens to the right (every second row), by cubic
+    /// interpolation, at the places of the other rows' lenses.
     void move_half_a_pixel(DepthView& view, int row) const
     {
         const auto at = [&](int column) {
@@ -259,7 +260,7 @@ ViewSet view_set(const Frame& frame, int threads, const Progress& progress)
     const double pixel = length(set.places.right),
                  spacing = set.turned ? eyes.spacing.y : eyes.spacing.x;
     set.scale = DepthScale{metadata.aperture.distance, spacing / pixel};
-    // A disparity of 1 moves a point by -eye / spacing pixels' widths on the sheet.
+    // A disparity of 1 moves a point on the sheet by -eye / spacing, in pixel widths.
     const PixelPlaces steps{{0, 0}, set.places.right, set.places.down};
     std::vector<Vec2> from{{0, 0}};
     for (int row = 0; row < eyes.rows; ++row)

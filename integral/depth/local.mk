@@ -6,6 +6,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/depth/depth_files.h \
   integral/depth/depth_input.cpp \
   integral/depth/depth_input.h \
+  integral/depth/depth_page.cpp \
+  integral/depth/depth_page.h \
+  integral/depth/depth_picture.cpp \
+  integral/depth/depth_picture.h \
   integral/depth/depth_picture_scale.cpp \
   integral/depth/depth_picture_scale.h \
   integral/depth/depth_quality.cpp \

@@ -20,8 +20,7 @@ double farthest_shift(const ViewSet& views)
     return farthest;
 }
 
-/// The filter for pixels that are wider than they are high, as behind lenticular sheets: it then
-/// reaches farther down.
+/// Stretches the filter vertically for pixels wider than high, as behind lenticular sheets.
 EdgeFilterSettings stretched(EdgeFilterSettings filter, const ViewSet& views)
 {
     constexpr double most = 4;
@@ -32,7 +31,7 @@ EdgeFilterSettings stretched(EdgeFilterSettings filter, const ViewSet& views)
 
 constexpr double rough_step = 0.08;
 
-/// The disparities of sparse rows' pixels that can be told, in order.
+/// Sorted disparities of the confident pixels with texture, from some of the rows.
 std::vector<float> sure_disparities(const ViewSet& views, const VoteSettings& settings,
                                     double widest, int threads)
 {
@@ -48,13 +47,13 @@ std::vector<float> sure_disparities(const ViewSet& views, const VoteSettings& se
                   last = std::min(views.height, first + rows_at_once);
         search.rows(first, last, map);
     });
-    const auto change = [&](std::size_t i) { // of the colour from one pixel to the next
+    const auto change = [&](std::size_t i) { // difference of colour between a pixel and the next
         float sum = 0;
         for (const auto& channel : views.colours)
             sum += std::fabs(channel[i + 1] - channel[i]);
         return sum;
     };
-    std::vector<float> sure; // where there is texture and the next pixel says the same
+    std::vector<float> sure; // where there is texture and the next pixel agrees
     for (std::size_t i = 0; i + 1 < map.confidence.size(); ++i)
         if (map.confidence[i] > least_confidence && map.confidence[i + 1] > least_confidence &&
             change(i) > least_change &&
@@ -64,7 +63,7 @@ std::vector<float> sure_disparities(const ViewSet& views, const VoteSettings& se
     return sure;
 }
 
-/// All of them but two thousandths at each end, and a margin.
+/// Range of all values but two thousandths at each end, with a margin.
 DisparityRange range_of(const std::vector<float>& sure)
 {
     const auto part = [&](double fraction) {
@@ -83,15 +82,15 @@ DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, in
     constexpr std::size_t least_number = 20;
     VoteSettings rough = settings; // a coarse step needs more tolerance
     rough.tolerance = std::max(settings.tolerance, 0.5 * rough_step * farthest_shift(views));
-    rough.cross = true; // views farther off add time, and aliases where there are few pixels
+    rough.cross = true; // other views would add time, and false matches if views have few pixels
     const auto sure = sure_disparities(views, rough, usual, threads);
     if (sure.size() >= least_number) {
         const DisparityRange found = range_of(sure);
         if (found.least > -usual && found.greatest < usual)
             return found;
     }
-    // The scene reaches beyond, or little of it can be told. What is far off may have no texture
-    // that shows: it may be endless.
+    // The scene extends beyond the usual range, or few pixels are confident. Distant parts may lack
+    // visible texture, so the far end is at infinity.
     const auto wide = sure_disparities(views, rough, widest, threads);
     const double nearest = wide.size() >= least_number ? range_of(wide).greatest : usual;
     return {-std::min(widest, views.scale ? views.scale->ratio : widest), std::max(usual, nearest)};
@@ -110,8 +109,8 @@ std::optional<DepthMap> multibaseline(const ViewSet& views, const MultibaselineS
     if (!search.all_rows(threads, map, progress))
         return std::nullopt;
     if (settings.reach > 0) {
-        put_reflections_on_their_surface(views, step, threads, map);
-        spread_from_sure_pixels(views, settings.reach, threads, map.disparity, map.confidence);
+        flatten_reflections(views, step, threads, map);
+        propagate_confident(views, settings.reach, threads, map.disparity, map.confidence);
     }
     const EdgeFilterSettings median = stretched(settings.median, views);
     std::vector<float> smooth(map.disparity.size());

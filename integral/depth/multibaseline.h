@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Depth by multiple-baseline correlation (thesis 5.4.4, after Okutomi and Kanade): one search for
-// all views, in disparity, which is the same for all of them.
+// Depth by multiple-baseline correlation (thesis 5.4.4, after Okutomi and Kanade): one search over
+// disparities uses all views, as a point's disparity is the same in all of them.
 #ifndef INTEGRAL_DEPTH_MULTIBASELINE_H
 #define INTEGRAL_DEPTH_MULTIBASELINE_H
 
@@ -10,19 +10,19 @@ namespace integral {
 
 struct MultibaselineSettings {
     std::optional<DisparityRange> range; ///< to search; nothing: find it
-    double step = 0.16; ///< between disparities that are tried: pixels of the farthest view
+    double step = 0.16; ///< between tried disparities: a point's movement in the farthest view, px
     VoteSettings votes;
     EdgeFilterSettings filter, median;
-    double reach = 40; ///< pixels within a surface over which sure pixels tell unsure ones; 0: none
+    double reach = 40; ///< pixels over which confident depth spreads within a surface; 0: none
 };
 
-/// The range in which most of the pixels are that can be told: from sparse rows, between -4 and 4
-/// pixels, or that where few can be told. Where it reaches an end of that, the range is up to 16
-/// pixels in front, and behind to where nothing has an end (at most 16).
+/// Searches some rows for disparities from -4 to 4, and returns the range of nearly all confident
+/// pixels. If these are fewer than 20, or their range reaches -4 or 4, the range is wider: from
+/// infinity's (-16 if infinity's is less or not known) to the nearest surface's (4 to about 16).
 DisparityRange find_range(const ViewSet& views, const VoteSettings& votes, int threads);
 
-/// Measures the middle view's depth. `threads` and `progress` as in for_each_row. Nothing:
-/// `progress` stopped it.
+/// Measures the middle view's depth. `threads` and `progress` as in for_each_row. Returns nothing
+/// if `progress` stopped the work.
 std::optional<DepthMap> multibaseline(const ViewSet& views, const MultibaselineSettings& settings,
                                       int threads, const Progress& progress);
 

@@ -24,8 +24,8 @@ std::vector<float> distances(const ViewSet& views, const Reach& reach, std::size
     return far;
 }
 
-/// The part that is carried over a distance. Edges let nothing through, however little is on their
-/// other side.
+/// The share of a value that is carried over a distance. Exactly 0 across edges: where the weights
+/// beyond an edge are tiny, any remainder would dominate them.
 float part_carried(float power) { return power < -18 ? 0 : std::exp(power); }
 
 /// to += part (from - to)
@@ -35,13 +35,13 @@ void carry(float* to, const float* from, const float* part, int count)
         to[i] += part[i] * (from[i] - to[i]);
 }
 
-/// The weighted moments of positions, counted from (0, 0), and values.
+/// Weighted moments of positions (relative to the view's middle) and of values.
 enum Moment { w, d, x, y, xx, xy, yy, xd, yd, moments };
 
-/// The plane's value at (0, 0) of a place that is (dx, dy) away from it, by moments around a pixel.
+/// The value at (px, py) of the plane that the moments around that pixel determine.
 float plane_at(const double m[moments], double px, double py)
 {
-    constexpr double narrow = 9, far = 0.15; // square pixels; share of the square distance
+    constexpr double narrow = 9, far = 0.15; // square pixels; share of the squared distance
     const double mean = m[d] / m[w], mx = m[x] / m[w], my = m[y] / m[w], dx = px - mx, dy = py - my,
                  ridge = narrow + far * (dx * dx + dy * dy),
                  sxx = std::max(0.0, m[xx] / m[w] - mx * mx) + ridge,
@@ -65,8 +65,8 @@ PlaneFilter::PlaneFilter(const ViewSet& views, const Reach& reach, int threads)
 {
 }
 
-/// Carries values along a row, there and back, and leaves in its part of `carried` what is carried
-/// from it to the next row.
+/// Carries values along row y, forwards and backwards, and then stores in row y of `carried` the
+/// shares that are carried to the next row.
 void PlaneFilter::smooth_row(std::vector<Plane>& planes, int y, float slope, Plane& carried) const
 {
     const std::size_t width = std::size_t(width_), first = width * std::size_t(y);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Smooths weighted values within surfaces, whose edges a picture tells by its colours, by means or
-// by planes.
+// Smooths weighted values within surfaces, by means or by planes. The colours of a picture show the
+// surfaces' edges.
 #ifndef INTEGRAL_DEPTH_PLANE_FILTER_H
 #define INTEGRAL_DEPTH_PLANE_FILTER_H
 
@@ -8,28 +8,27 @@
 
 namespace integral {
 
-/// How far a value counts.
+/// The distance over which a value has weight.
 struct Reach {
-    double pixels = 40;        ///< over even colours; > 0
-    double even_colour = 0.05; ///< sum of differences in R, G and B over which it counts e times
-                               ///< less; > 0
-    double slow_change = 0;    ///< the differences of neighbouring pixels up to that are no edge
+    double pixels = 40;        ///< in an area of one colour; > 0
+    double even_colour = 0.05; ///< sum of differences in R, G and B that divides a weight by e; > 0
+    double slow_change = 0;    ///< differences between neighbouring pixels up to this are no edge
 };
 
-/// The recursive domain transform of Gastal and Oliveira (2011), of a set's middle view.
+/// The recursive domain transform of Gastal and Oliveira (2011), guided by a set's middle view.
 class PlaneFilter {
 public:
     /// `threads` as in for_each_row.
     PlaneFilter(const ViewSet& views, const Reach& reach, int threads);
 
-    /// At each pixel: the value there (NaN where nothing counts), and the mean weight around.
+    /// For each pixel: the smoothed value (NaN if none has weight) and the mean weight around it.
     struct Fit {
         std::vector<float> value, weight;
     };
-    /// The weighted means of the values around. Values whose weight is 0 may be anything.
+    /// Weighted means of the values around each pixel. Values whose weight is 0 may be anything.
     Fit means(const std::vector<float>& value, const std::vector<float>& weight) const;
-    /// Planes through the values, by weighted least squares; the less they slope, the farther a
-    /// pixel is from what counts.
+    /// Planes fitted to the values by weighted least squares. A plane is less steep, the farther
+    /// its pixel is from the values that have weight.
     Fit planes(const std::vector<float>& value, const std::vector<float>& weight) const;
 
 private:
@@ -41,7 +40,7 @@ private:
 
     int width_, height_, threads_;
     double reach_;
-    Plane across_, down_; ///< from a pixel to the next: its distance
+    Plane across_, down_; ///< distances from a pixel to the next on the right, or below
 };
 
 } // namespace integral

@@ -7,7 +7,7 @@
 namespace integral {
 namespace {
 
-/// The meetings of one ray, counted in bins of disparity.
+/// Counts, in bins of disparity, the rays that one ray meets.
 class Meetings {
 public:
     explicit Meetings(const RayTraceSettings& settings)
@@ -70,8 +70,8 @@ public:
     }
 
 private:
-    /// Counts where a pixel's ray meets those of a view's pixels along the line on which it can
-    /// meet any: the pixels nearest to it, one for each step along its longer side.
+    /// Counts where a pixel's ray meets rays of a view's pixels, which lie on one line in the view:
+    /// compares, for each whole pixel along the line's longer side, the pixel nearest to the line.
     void meet(const DepthView& view, int x, int y, Meetings& meetings) const
     {
         const Vec2 shift = view.shift;

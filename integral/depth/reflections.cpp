@@ -8,16 +8,16 @@ namespace integral {
 namespace {
 
 constexpr int least_size = 128;              ///< of the views, pixels
-constexpr double faint = 0.05;               ///< differences of colour that do not count
-constexpr float same = 0.1f;                 ///< disparities that differ less are of one surface
-constexpr float behind = 0.3f;               ///< a reflection lies farther behind than that
-constexpr int beside = 6;                    ///< pixels around in which a surface is looked for ...
-constexpr float surface_share = 0.8f;        ///< ... that has so much of them
-constexpr int around = 12;                   ///< pixels around of which ...
-constexpr float least_share = 0.4f;          ///< ... so much must look mirrored
-constexpr float sure = 0.4f, unsure = 0.03f; ///< confidences: of the map; of the edges
+constexpr double faint = 0.05;               ///< differences of colour that may be a reflection
+constexpr float same = 0.1f;                 ///< disparities that differ less belong to one surface
+constexpr float behind = 0.3f;               ///< a reflection is farther than the edges by more
+constexpr int beside = 6;                    ///< pixels to each side, searched for a surface ...
+constexpr float surface_share = 0.8f;        ///< ... which fills this share of that square
+constexpr int around = 12;                   ///< pixels to each side ...
+constexpr float least_share = 0.4f;          ///< ... and the share of them that must look mirrored
+constexpr float sure = 0.4f, unsure = 0.03f; ///< most confidence of the map; least of the edges
 
-/// The mean of each two by two pixels; lit where all of them are.
+/// The means of blocks of two by two pixels; a mean is lit if its four pixels are.
 DepthView half_size(const DepthView& view, std::size_t width, std::size_t height)
 {
     DepthView half;
@@ -61,7 +61,7 @@ ViewSet half_size(const ViewSet& views, int threads)
     return half;
 }
 
-/// Replaces each value by the mean of those within `reach` pixels.
+/// Replaces each value by the mean of the values within `reach` pixels.
 void take_means(std::vector<float>& values, int width, int height, int reach, int threads)
 {
     const std::size_t columns = std::size_t(width);
@@ -89,7 +89,7 @@ void take_means(std::vector<float>& values, int width, int height, int reach, in
     });
 }
 
-/// The depth that strong edges have.
+/// The depth of strong edges.
 DepthMap depth_of_edges(const ViewSet& half, DisparityRange range, double step, int threads)
 {
     VoteSettings tolerant;
@@ -103,7 +103,7 @@ DepthMap depth_of_edges(const ViewSet& half, DisparityRange range, double step, 
 
 } // namespace
 
-void put_reflections_on_their_surface(const ViewSet& views, double step, int threads, DepthMap& map)
+void flatten_reflections(const ViewSet& views, double step, int threads, DepthMap& map)
 {
     const int width = views.width, height = views.height;
     if (std::min(width, height) < least_size)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Finds where a map shows what mirrors in a surface, in place of the surface.
+// Corrects a depth map where it shows a reflection instead of the reflecting surface.
 #ifndef INTEGRAL_DEPTH_REFLECTIONS_H
 #define INTEGRAL_DEPTH_REFLECTIONS_H
 
@@ -7,14 +7,13 @@
 
 namespace integral {
 
-/// Gives a polished surface its own depth. Between its marks it has no texture but that of what it
-/// mirrors, which is faint and lies far behind. So a second search, with half the resolution and
-/// the views to the left, right, above and below, tolerates faint differences: there only strong
-/// edges count. Where a wide area lies behind the depth of such edges, is not sure, and no surface
-/// beside it has the edges' depth, the map takes that. `step` as Labels' wanted one. Views smaller
-/// than 128 pixels either way are left alone.
-void put_reflections_on_their_surface(const ViewSet& views, double step, int threads,
-                                      DepthMap& map);
+/// Corrects the depth of polished surfaces. Between a surface's marks the only texture is the
+/// reflection, which is faint and lies far behind. A second search, at half the resolution and with
+/// the views to the left, right, above and below, tolerates faint differences: only strong edges
+/// count. Their depth replaces the map's in wide areas where the map is farther and unsure, unless
+/// the map has that depth nearly everywhere around. `step` as in Labels. Leaves views smaller than
+/// 128 pixels either way unchanged.
+void flatten_reflections(const ViewSet& views, double step, int threads, DepthMap& map);
 
 } // namespace integral
 

@@ -9,11 +9,11 @@
 namespace integral {
 namespace {
 
-/// A surface that a line's eye sees stretched, from one pixel of a map to the next, by more pixels
-/// than this is taken for an edge with nothing known behind it.
+/// Greatest distance, in pixels, between neighbouring pixels of a map as the line's eye sees them.
+/// If they are farther apart, an edge lies between them, with nothing known behind it.
 constexpr double longest_stretch = 1.5;
 
-/// The pixel around a place, in the map or at its nearest edge.
+/// The pixel at a place, or the map's nearest pixel.
 std::size_t pixel_around(const ReliefMap& map, Vec2 at)
 {
     const int x = std::clamp(int(std::floor(at.x + 0.5)), 0, map.width - 1),
@@ -23,12 +23,12 @@ std::size_t pixel_around(const ReliefMap& map, Vec2 at)
 
 template <class Plane> bool is_inside(const Plane& plane, Vec2 at)
 {
-    constexpr double beyond = 1; // pixels: an edge's own colour goes on so far
+    constexpr double beyond = 1; // pixels by which the colours at a picture's edge extend outwards
     return at.x > -0.5 - beyond && at.y > -0.5 - beyond && at.x < plane.width - 0.5 + beyond &&
            at.y < plane.height - 0.5 + beyond;
 }
 
-/// Adds the light between the four pixels around a place, of those that have some.
+/// Adds the light at a place, interpolated between the lit ones of the four pixels around it.
 void add_between(const ReliefPicture& picture, Vec2 at, float weight, Colour& sum, float& weights)
 {
     const double x = std::clamp(at.x, 0.0, picture.width - 1.0),
@@ -56,7 +56,7 @@ Colour divided(const Colour& sum, float weights)
                        : Colour{0, 0, 0, 1};
 }
 
-/// What a picture shows at a place of the image plane, mm.
+/// The light of a picture at a place in the image plane, mm.
 Colour light_of(const ReliefPicture& picture, Vec2 place)
 {
     Colour sum{0, 0, 0, 0};
@@ -65,7 +65,7 @@ Colour light_of(const ReliefPicture& picture, Vec2 place)
     return divided(sum, weights);
 }
 
-/// The greatest difference between neighbours in order of size; 1 if all are equal.
+/// The greatest difference between neighbours in sorted order; 1 if all are equal.
 double greatest_step(std::vector<double> values)
 {
     std::sort(values.begin(), values.end());
@@ -79,9 +79,9 @@ double greatest_step(std::vector<double> values)
 
 /// Where a line meets a map.
 struct Relief::Meeting {
-    double parallax = 0;    ///< of what is met
-    bool known = false;     ///< the map shows it; else the line passes behind an edge, or outside
-    std::size_t beside = 0; ///< else: the pixel beside that edge, of what is farther off
+    double parallax = 0;    ///< of the surface met
+    bool known = false;     ///< the map shows it; if not, the line passes behind an edge or outside
+    std::size_t beside = 0; ///< if not known: the pixel next to that edge, on the farther surface
 };
 
 Relief::Relief(std::vector<ReliefPicture> pictures, std::vector<ReliefMap> maps, double distance,
@@ -96,7 +96,7 @@ Relief::Relief(std::vector<ReliefPicture> pictures, std::vector<ReliefMap> maps,
                 least_ = std::min(least_, p);
                 greatest_ = std::max(greatest_, p);
             }
-    greatest_ += 1e-6f + 1e-5f * (greatest_ - least_); // so that a line meets what is farthest off
+    greatest_ += 1e-6f + 1e-5f * (greatest_ - least_); // so that the farthest surface can be met
     if (!(least_ <= greatest_))
         throw std::invalid_argument("the map says no depth anywhere");
     std::vector<double> across, up;
@@ -136,11 +136,11 @@ Relief::Meeting Relief::meet(const ReliefMap& map, const ReliefLine& line) const
     const Vec2 start = map.places.pixel_at(line.place),
                way = map.places.pixel_at(line.place + map.eye - line.eye) - start;
     const double far = std::max(std::fabs(way.x), std::fabs(way.y)), span = greatest_ - least_;
-    const int steps = 1 + int(std::ceil(far * span)); // of a pixel
+    const int steps = 1 + int(std::ceil(far * span)); // of at most a pixel
     const float edge = float(longest_stretch / std::max(far, 1e-9));
-    Meeting behind; // what is farther off beside the edge behind which the line is
+    Meeting behind; // the farther surface next to the edge that hides the line
     bool is_behind = false;
-    float before = HUGE_VALF, last = 0; // the depth at the last step; how far in front of it
+    float before = HUGE_VALF, last = 0; // the map's depth at the last step; the line's minus it
     std::size_t last_pixel = pixel_around(map, start + double(least_) * way);
     for (int k = 0; k <= steps; ++k) {
         const double s = least_ + span * k / steps;
@@ -185,7 +185,7 @@ bool Relief::is_seen(const ReliefMap& map, double parallax, const ReliefLine& li
 
 Colour Relief::light_at(const ReliefMap& map, double parallax, const ReliefLine& line) const
 {
-    const bool beyond = !is_between_eyes(line.eye); // other eyes than the map's may not see it
+    const bool beyond = !is_between_eyes(line.eye); // then a picture's eye may not see the surface
     const Vec2 nearest{std::clamp(line.eye.x, first_eye_.x, last_eye_.x),
                        std::clamp(line.eye.y, first_eye_.y, last_eye_.y)};
     Colour sum{0, 0, 0, 0}, edge{0, 0, 0, 0};
@@ -212,7 +212,7 @@ Colour Relief::light_at(const ReliefMap& map, double parallax, const ReliefLine&
 Colour Relief::light_beside(const ReliefMap& map, const Meeting& hidden,
                             const ReliefLine& line) const
 {
-    // What is beside the edge goes on behind it as in a mirror, as far as it is one surface.
+    // Mirrors the surface at the edge that hides the line, as far as the surface extends.
     const Vec2 edge{double(hidden.beside % std::size_t(map.width)),
                     double(hidden.beside / std::size_t(map.width))};
     const Vec2 at = map.places.pixel_at(line.place + hidden.parallax * (map.eye - line.eye));
@@ -245,7 +245,7 @@ Seen Relief::along(const ReliefLine& line) const
             of_nearest = met;
         }
     }
-    // No map shows it, but an eye that looks nearly along the line does.
+    // No map shows the line's end, but a picture whose eye is near the line does.
     if (is_between_eyes(line.eye))
         return {light_at(*nearest, of_nearest.parallax, line), pictures_.size() > 1};
     return {light_beside(*nearest, of_nearest, line), false};

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A scene reconstructed from views and their depth. It gives the light along any line of sight and
-// takes account of what hides what.
+// A scene reconstructed from views and their depth. It gives the light along any line of sight,
+// with occlusion.
 //
 // Depth is measured here as parallax: z / (distance + z) for a point z mm behind the image plane.
-// When the eye moves sideways, the point's picture moves by that part of the eye's step. It is 0 in
-// the plane and 1 endlessly far away. The pixels of a view along a line of sight are linear in it.
+// When the eye moves sideways, the point's picture moves by that fraction of the eye's movement.
+// Parallax is 0 in the image plane and 1 at infinity. As a point moves along a line of sight, its
+// place in a view changes linearly with its parallax.
 #ifndef INTEGRAL_DEPTH_RELIEF_H
 #define INTEGRAL_DEPTH_RELIEF_H
 
@@ -14,7 +15,7 @@
 
 namespace integral {
 
-/// A picture that an eye takes, in linear light; row by row from the top left.
+/// A picture from an eye, in linear light; row by row from the top left.
 struct ReliefPicture {
     Vec2 eye; ///< on the eyes' plane, mm
     int width = 0, height = 0;
@@ -23,13 +24,13 @@ struct ReliefPicture {
     std::vector<float> lit; ///< 1, or 0 for a pixel without light; empty: all have some
 };
 
-/// What an eye knows of depth, and its picture.
+/// The depth map of an eye, and the index of its picture.
 struct ReliefMap {
     Vec2 eye; ///< on the eyes' plane, mm
     int width = 0, height = 0;
     PixelPlaces places;          ///< mm
     std::vector<float> parallax; ///< NaN: nothing is known there
-    std::size_t picture = 0;     ///< of the same eye, among Relief's
+    std::size_t picture = 0;     ///< index in Relief's pictures of the picture from this eye
 };
 
 /// A line of sight: where it meets the image plane and the plane of the eyes, mm.
@@ -37,8 +38,8 @@ struct ReliefLine {
     Vec2 place, eye;
 };
 
-/// What is seen along a line: linear light, and whether any view has seen it; else it is what its
-/// surroundings farther off look like.
+/// Linear light along a line of sight, and whether any view shows it. Light that no view shows is
+/// filled in from the farther surface next to it.
 struct Seen {
     Colour light;
     bool known = false;
@@ -46,7 +47,7 @@ struct Seen {
 
 class Relief {
 public:
-    /// 1 to 32 maps. Throws std::invalid_argument if they know nothing.
+    /// Takes 1 to 32 maps. Throws std::invalid_argument if they contain no depth.
     Relief(std::vector<ReliefPicture> pictures, std::vector<ReliefMap> maps, double distance,
            Vec2 size);
 
@@ -54,13 +55,13 @@ public:
     Vec2 size() const { return size_; }           ///< of the pictures in the image plane, mm
     double pixel() const { return pixel_; }       ///< side of a picture's pixel, mm
 
-    /// The same scene, `factor` times as large.
+    /// Makes the scene `factor` times as large.
     void scale(double factor);
 
-    /// What is seen along a line. The depth is where the line first meets the map of the eye
-    /// nearest to it, or if it passes there behind an edge, another eye's. The light is that of the
-    /// pictures whose eyes are nearest to the line and see its end. Where no map shows the end of
-    /// the line, it is what lies farther off beside the edge.
+    /// The light along a line. The line ends where it first meets the map of the nearest eye or, if
+    /// it passes behind an edge there, another eye's map. The light comes from the pictures whose
+    /// eyes are nearest to the line and, for an eye beyond them, see the line's end. If no map
+    /// shows the end, the line is taken to end on the farther surface next to the edge.
     Seen along(const ReliefLine& line) const;
 
 private:
@@ -77,17 +78,17 @@ private:
     Vec2 size_;
     double pixel_ = 1;
     Vec2 first_eye_, last_eye_;      ///< the rectangle of the pictures' eyes
-    Vec2 spacing_{1, 1};             ///< of these, > 0
+    Vec2 spacing_{1, 1};             ///< greatest spacing of neighbouring eyes, > 0
     float least_ = 0, greatest_ = 0; ///< parallax in all maps
 };
 
-/// What a relief is made of: the views, unsoftened, whose light is encoded so, and the parallax
-/// that each of some eyes sees. `maps[k].picture` counts the middle view as 0 and others[i] as i +
-/// 1. The set must have a scale.
+/// Makes a relief from views before soften(), stored in `encoding`, and from parallax maps of some
+/// of their eyes. `maps[k].picture` is 0 for the middle view and i + 1 for others[i]. The set must
+/// have a scale.
 Relief relief_of(const ViewSet& views, Encoding encoding, std::vector<ReliefMap> maps, Vec2 size,
                  int threads);
 
-/// Where a view of a set was taken from, mm.
+/// The eye of a view of a set, mm.
 Vec2 eye_of(const ViewSet& views, const DepthView& view);
 
 } // namespace integral

@@ -4,9 +4,9 @@
 #include "integral/base/interrupt.h"
 #include "integral/base/number_text.h"
 #include "integral/io/image_file.h"
-#include "integral/lightfield/sample_points.h"
 #include "integral/optics/beam.h"
 #include "integral/replay/interpolate.h"
+#include "integral/sampling/sample_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ public:
           optics_(geometry.sheet, geometry.aperture),
           picture_(picture)
     {
-        const auto parts = [&](double length) { // samples across it
+        const auto parts = [&](double length) { // samples across that length
             return std::clamp(int(std::ceil(length / relief.pixel() - 0.25)), 1, 4);
         };
         across_ = parts(optics_.lattice().pitch());
@@ -82,8 +82,8 @@ private:
         return sum;
     }
 
-    /// The line of a film point's beam through a place of its lens's cell (lenticular: across the
-    /// lens, and along it within the pixel).
+    /// The line along a film point's beam through the place `unit` of its lens's cell (lenticular:
+    /// across the lens, and along the lens within the film pixel).
     ReliefLine line_of(const LensRay& ray, Vec2 unit) const
     {
         const Vec2 cell{unit.x, lenticular_ ? 0.5 : unit.y};
@@ -97,14 +97,14 @@ private:
     const Relief& relief_;
     Film film_;
     SheetOptics optics_;
-    FittedPicture picture_; ///< the relief's on the film
+    FittedPicture picture_; ///< the relief on the film
     bool lenticular_ = false;
     Vec2 pixel_along_; ///< the film's pixel along lenticular lenses
     int across_ = 1, along_ = 1;
 };
 
-/// A place in a disc of that radius, spread evenly over the samples of a pixel and turned otherwise
-/// than in the pixels around it.
+/// A sample's place in a disc of that radius. The samples of a pixel are spread evenly over the
+/// disc; each pixel turns them by another angle.
 Vec2 disc_point(double radius, int x, int y, int sample, int samples)
 {
     constexpr double golden_angle = 2.39996322972865332, turn = 6.28318530717958647692;
@@ -167,8 +167,7 @@ RefocusedPicture refocused(const Relief& relief, const Refocus& lens, const Imag
     RefocusedPicture picture{blank_like(form, lens.width, lens.height), {}};
     const Film raster{
         lens.width, lens.height, {relief.size().x / lens.width, relief.size().y / lens.height}};
-    // Where a line from the lens to the point in focus meets the image plane: so much of the way
-    // sideways.
+    // Lines from the lens to the point in focus: offset in the image plane / offset on the lens.
     const double sideways = lens.focus / (relief.distance() + lens.focus);
     Tally tally;
     const auto row = [&](int y) {

@@ -3,10 +3,10 @@
 
 #include "integral/base/interrupt.h"
 #include "integral/depth/depth_scores.h"
+#include "integral/frame/quilt_name.h"
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
 #include "integral/io/pfm_file.h"
-#include "integral/lightfield/quilt_name.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace integral {
 namespace {
 
-/// The middle view, and those from farthest out: numbers as in ReliefMap::picture.
+/// Numbers of the middle view and the outermost ones, as in ReliefMap::picture.
 std::vector<std::size_t> outermost(const ViewSet& views)
 {
     std::vector<std::size_t> chosen{0};
@@ -39,7 +39,7 @@ const DepthView& view_number(const ViewSet& views, std::size_t k)
     return k == 0 ? views.middle : views.others[k - 1];
 }
 
-/// The views that count for the depth of one of them, which becomes the middle one; softened.
+/// The views for measuring the depth of view `middle`, which becomes the middle view; softened.
 ViewSet seen_from(const ViewSet& views, std::size_t middle, DepthQuality quality, int threads)
 {
     ViewSet set;
@@ -92,7 +92,7 @@ std::vector<ReliefMap> measured_maps(const ViewSet& views, DepthQuality quality,
     return maps;
 }
 
-/// z / (distance + z); also of what has no end. NaN of what does not lie before the eye.
+/// z / (distance + z): 1 at infinity, NaN for a point that is not in front of the eye.
 float parallax_of(double mm, double distance)
 {
     if (std::isinf(mm) && mm > 0)
@@ -117,8 +117,8 @@ std::vector<ReliefMap> maps_of_depth_frame(const DepthInput& input, const std::s
     return maps;
 }
 
-/// The parallax of an upright map over the whole picture, or as much as its shape allows, as the
-/// first one's eye sees it.
+/// Reads the depth_file as an upright parallax map that is fitted on the whole picture. The map's
+/// eye is picture 0's if the caller sets no other.
 ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded, Vec2 size,
                       double distance)
 {
@@ -165,7 +165,7 @@ ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded
     return map;
 }
 
-/// What is before a name's eyes when it is an OpenEXR file of depths.
+/// The depths in an OpenEXR file; nothing for another ending.
 std::optional<DecodedDepths> decoded_depths(const std::string& path)
 {
     if (extension_of(path) != "exr")
@@ -191,7 +191,7 @@ bool is_photograph(const std::vector<std::string>& inputs, const ReliefRequest& 
 ReliefInput read_photograph(const std::string& path, const ReliefRequest& request)
 {
     const Image image = read_frame(path).image;
-    // As large as covers the film.
+    // The pixel size at which the photograph just covers `request.size`.
     const double pixel = std::max(request.size.x / image.width, request.size.y / image.height);
     const Vec2 size{image.width * pixel, image.height * pixel};
     ReliefPicture picture;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The inner loops of measuring depth, over floats that follow each other, compiled to vector
-// instructions. The results are the same on every processor.
+// Inner loops of depth measurement over contiguous floats, compiled to vector instructions. The
+// results are the same on every processor.
 #ifndef INTEGRAL_DEPTH_ROW_LOOPS_H
 #define INTEGRAL_DEPTH_ROW_LOOPS_H
 
@@ -10,8 +10,8 @@ namespace integral {
 void mix_rows(float* to, const float* a, const float* b, const float* c, const float* d,
               const float weight[4], int count);
 
-/// The colours to compare: three channels of a view, and of the middle one; and the middle view's
-/// 1 / squared difference that is allowed.
+/// The colours to compare: three channels of a view, and of the middle view; and the sharpness of
+/// the middle view's pixels, 1 / allowed squared difference.
 struct RowsToCompare {
     const float* view[3];
     const float* middle[3];
@@ -21,7 +21,7 @@ struct RowsToCompare {
 /// vote = max(0, 1 - sharpness |view - middle|^2) of `count` pixels.
 void vote_for(float* vote, const RowsToCompare& rows, int count);
 
-/// The same of the view between its columns: pixel i is the sum of weight[k] times pixel i - 1 + k.
+/// The same between the view's columns: pixel i is the sum of weight[k] times its pixel i - 1 + k.
 void vote_between(float* vote, const RowsToCompare& rows, const float weight[4], int count);
 
 /// to += from

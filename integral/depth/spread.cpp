@@ -10,17 +10,17 @@
 namespace integral {
 namespace {
 
-// Shading says less than edges: highlights move over a surface as if they were far behind it.
-constexpr float no_edge = 0.008f, clear_edge = 0.03f;       ///< texture of what tells others
-constexpr float least_confidence = 0.1f;                    ///< of what tells others
-constexpr float no_texture = 0.006f, some_texture = 0.016f; ///< texture of what keeps its depth
-constexpr int least_size = 128;      ///< of views whose edges tell surfaces, pixels
-constexpr float much_farther = 0.1f; ///< an edge by so much farther counts e times more
-constexpr float about_same = 0.3f;   ///< near edges count if they are not nearer than that
-constexpr float few_edges = 0.002f;  ///< mean weight of near edges with which they count half
+// Shading counts less than edges: highlights move over a surface as if they lay far behind it.
+constexpr float no_edge = 0.008f, clear_edge = 0.03f;       ///< texture of pixels that give depth
+constexpr float least_confidence = 0.1f;                    ///< of pixels that give depth
+constexpr float no_texture = 0.006f, some_texture = 0.016f; ///< of pixels that retain their depth
+constexpr int least_size = 128;      ///< of views in which only edges give depth, pixels
+constexpr float much_farther = 0.1f; ///< an edge farther by this disparity counts e times more
+constexpr float about_same = 0.3f;   ///< disparity by which close edges may be nearer than far ones
+constexpr float few_edges = 0.002f;  ///< mean weight at which close edges count as much as far ones
 constexpr double slow_change = 0.02; ///< of a colour, from pixel to pixel, within a surface
 
-/// How far a value is on the way from `low` to `high`: 0 to 1.
+/// Position of a value between `low` (0) and `high` (1), clamped.
 float part_of(float value, float low, float high)
 {
     return std::clamp((value - low) / (high - low), 0.0f, 1.0f);
@@ -39,7 +39,7 @@ std::vector<float> textures(const ViewSet& views, int reach, int threads)
     return values;
 }
 
-/// How much each pixel tells others, by texture and confidence.
+/// Weight of each pixel as a source of depth for others, by texture and confidence.
 std::vector<float> weights(const ViewSet& views, int threads, const std::vector<float>& confidence)
 {
     std::vector<float> weight = textures(views, 3, threads);
@@ -51,7 +51,7 @@ std::vector<float> weights(const ViewSet& views, int threads, const std::vector<
     return weight;
 }
 
-/// The weights, greater the farther off a pixel is.
+/// The weights, reduced the more the nearer a pixel is.
 std::vector<float> farthest_first(const std::vector<float>& weight,
                                   const std::vector<float>& disparity)
 {
@@ -67,7 +67,7 @@ std::vector<float> farthest_first(const std::vector<float>& weight,
     return to;
 }
 
-/// What the edges around tell each pixel.
+/// The disparity of each pixel's surroundings, from the edges in them.
 std::vector<float> told_by_edges(const ViewSet& views, double reach, int threads,
                                  const std::vector<float>& disparity,
                                  const std::vector<float>& confidence)
@@ -88,7 +88,7 @@ std::vector<float> told_by_edges(const ViewSet& views, double reach, int threads
     return told;
 }
 
-/// What all pixels around tell each one, by their confidence.
+/// The disparity of each pixel's surroundings, from all pixels in them, weighted by confidence.
 std::vector<float> told_by_all(const ViewSet& views, double reach, int threads,
                                const std::vector<float>& disparity,
                                const std::vector<float>& confidence)
@@ -101,8 +101,8 @@ std::vector<float> told_by_all(const ViewSet& views, double reach, int threads,
 
 } // namespace
 
-void spread_from_sure_pixels(const ViewSet& views, double reach, int threads,
-                             std::vector<float>& disparity, const std::vector<float>& confidence)
+void propagate_confident(const ViewSet& views, double reach, int threads,
+                         std::vector<float>& disparity, const std::vector<float>& confidence)
 {
     const bool is_large = std::min(views.width, views.height) >= least_size;
     const std::vector<float> told = (is_large ? told_by_edges : told_by_all)(views, reach, threads,

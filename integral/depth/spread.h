@@ -7,16 +7,16 @@
 
 namespace integral {
 
-/// Where the confidence is low and there is no texture, replaces the disparity by what the edges
-/// and the texture around say, over even colours. An edge between two surfaces belongs to the
-/// nearer one, so that a plain surface is as far off as the farthest of its edges: the mean counts
-/// those most, up to 10 x `reach` pixels away (> 0). Where near edges say about the same, a plane
-/// through them replaces it. In views of fewer than
-/// 128 pixels either way, as most frames' are, nearly all pixels are near edges, and outliers are
-/// many: there it is the mean of all, by their confidence, up to `reach` away. All planes of values
-/// are of the middle view; disparities without light may be NaN.
-void spread_from_sure_pixels(const ViewSet& views, double reach, int threads,
-                             std::vector<float>& disparity, const std::vector<float>& confidence);
+/// Replaces the disparity of pixels with low confidence and no texture by a weighted mean of the
+/// edges and the texture around, across similar colours. An edge between two surfaces belongs to
+/// the nearer one, so a plain surface is as far off as its farthest edges: these have most weight
+/// in the mean, up to 10 x `reach` pixels away (> 0). Where close edges have about that disparity
+/// too, a plane through them replaces the mean. In views of fewer than 128 pixels either way, as in
+/// most frames, nearly all pixels are near edges and outliers are many: there the mean is over all
+/// pixels up to `reach` away, weighted by confidence. All planes of values belong to the middle
+/// view; disparities without light may be NaN.
+void propagate_confident(const ViewSet& views, double reach, int threads,
+                         std::vector<float>& disparity, const std::vector<float>& confidence);
 
 } // namespace integral
 

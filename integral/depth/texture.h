@@ -9,11 +9,11 @@ namespace integral {
 
 class Texture {
 public:
-    explicit Texture(const ViewSet& views); ///< which must outlive this
+    explicit Texture(const ViewSet& views); ///< the views must outlive this
 
-    /// How much a shift of a pixel changes the colours of the pixels around one of the middle
-    /// view, up to `reach` away: root of the mean square of the change (full scale 1), across or
-    /// down, whichever is greater; only across where all views stand in a row.
+    /// Root mean square change (full scale 1) of the colours within `reach` pixels of a pixel of
+    /// the middle view when the view is shifted by one pixel: across or down, whichever changes
+    /// them more; only across if all views stand in a row.
     double at(int x, int y, int reach = 2) const;
 
 private:

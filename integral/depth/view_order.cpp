@@ -7,8 +7,7 @@
 namespace integral {
 namespace {
 
-/// Half of the views on one side of the middle one, the farther ones: those from which most is
-/// hidden.
+/// The farther half of the views on one side of the middle one: edges hide most from these.
 std::vector<const DepthView*> far_views(const ViewSet& views, bool to_the_left)
 {
     std::vector<const DepthView*> side;
@@ -22,8 +21,8 @@ std::vector<const DepthView*> far_views(const ViewSet& views, bool to_the_left)
     return side;
 }
 
-/// How much the colour of a pixel of the middle view differs from that in a view, at a disparity;
-/// 0 beyond the view's edge.
+/// Colour difference between a pixel of the middle view and the place in `view` where a point of
+/// that disparity appears; 0 beyond the view's edge.
 double difference(const ViewSet& views, const DepthView& view, int x, int y, double disparity)
 {
     const double at = x + view.shift.x * disparity;
@@ -50,9 +49,9 @@ bool HiddenSides::is_reversed() const
 
 HiddenSides hidden_sides(const ViewSet& views, const DepthMap& map)
 {
-    constexpr double least_step = 3; // pixels in the farthest view that the surfaces are apart
+    constexpr double least_step = 3; // of depth at an edge, pixels in the farthest view
     constexpr double least_evidence = 0.1;
-    constexpr int beside = 1, flat = 4; // pixels from the edge: looked at, and of one depth
+    constexpr int beside = 1, flat = 4; // pixels from the edge: compared; of one depth
     const std::vector<const DepthView*> sides[] = {far_views(views, true), far_views(views, false)};
     if (sides[0].empty() || sides[1].empty())
         return {};
@@ -68,7 +67,7 @@ HiddenSides hidden_sides(const ViewSet& views, const DepthMap& map)
                                  std::fabs(at[1 + flat] - at[1]) < 0.25 * step;
             if (!is_edge)
                 continue;
-            // From the side on which it is found least.
+            // The mean difference in the far views of a side: the greater of both sides' means.
             const auto missing = [&](int pixel) {
                 double worst = 0;
                 for (const auto& side : sides) {

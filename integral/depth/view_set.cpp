@@ -51,7 +51,7 @@ void check(const std::vector<Image>& views)
 }
 
 /// Mixes each lit pixel with its lit neighbours `step` values away on both sides. `before(i)` and
-/// `after(i)`: whether pixel i has one.
+/// `after(i)`: whether pixel i has a neighbour there.
 template <class Before, class After>
 void mix_neighbours(DepthView& view, std::size_t step, Before before, After after)
 {
@@ -99,10 +99,10 @@ ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
     set.turned = grid.columns == 1;
     set.width = set.turned ? views[0].height : views[0].width;
     set.height = set.turned ? views[0].width : views[0].height;
-    // A pixel's height by its width, as the views are seen.
+    // Height / width of a pixel, as the views are displayed.
     const double of_pixels = double(set.upright_width()) / set.upright_height(),
                  tall = of_pixels / shape.value_or(of_pixels);
-    double pixel = 1, up = 1; // a pixel's width, mm; a step up by a step across
+    double pixel = 1, up = 1; // a pixel's width, mm; a step up / a step across
     if (eyes) {
         pixel = eyes->width / set.upright_width();
         if (grid.columns > 1 && grid.rows > 1)
@@ -112,7 +112,7 @@ ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
         set.eye = {(grid.columns / 2 - 0.5 * (grid.columns - 1)) * eyes->spacing.x,
                    (grid.rows / 2 - 0.5 * (grid.rows - 1)) * eyes->spacing.y};
     }
-    up /= tall; // of pixels
+    up /= tall; // in pixel heights / pixel widths
     const Vec2 right = set.turned ? Vec2{0, pixel * tall} : Vec2{pixel, 0},
                down = set.turned ? Vec2{pixel, 0} : Vec2{0, -pixel * tall};
     set.places = {-0.5 * (set.width - 1) * right - 0.5 * (set.height - 1) * down, right, down};

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The views that depth is measured in: pictures of one scene from eyes on one plane, all with the
-// same image plane, and how far apart in them a point of the scene stands.
+// Views for measuring depth: pictures of one scene from eyes on one plane, all with the same image
+// plane, and the shift of scene points between them.
 //
-// Disparity is the unit of all measuring: by how many pixels (of a view, across) a point of the
-// scene moves to the left from one view to the next on the right. It is 0 in the image plane, which
-// of a frame is its sheet, greater than 0 in front of it and less behind it.
+// All depth is measured as disparity: the number of pixels (of a view, across) by which a point of
+// the scene moves to the left from one view to the next on the right. Disparity is 0 in the image
+// plane (a frame's sheet), positive in front of that plane and negative behind it.
 //
-// Views of eyes above each other (of lenses that lie across, or a single column) are turned by a
-// quarter, clockwise, and so become views side by side: their right is up in the scene.
+// Views of eyes above each other (of lenses that lie across, or a single column) are turned
+// clockwise by 90 degrees to become views side by side: their right is up in the scene.
 #ifndef INTEGRAL_DEPTH_VIEW_SET_H
 #define INTEGRAL_DEPTH_VIEW_SET_H
 
 #include "integral/base/parallel.h"
-#include "integral/lightfield/frame.h"
-#include "integral/lightfield/view_grid.h"
+#include "integral/frame/frame.h"
+#include "integral/frame/view_grid.h"
 
 #include <array>
 #include <optional>
@@ -26,30 +26,30 @@ using ColourPlanes = std::array<std::vector<float>, 3>;
 
 /// A view to compare with others.
 struct DepthView {
-    Vec2 shift; ///< pixels to the right and down that a disparity of 1 moves a point, from where
-                ///< the middle view has it
+    Vec2 shift; ///< pixels to the right and down by which a disparity of 1 moves a point from its
+                ///< place in the middle view
     ColourPlanes channels;
     std::vector<float> lit; ///< 1, or 0 for a pixel without light; empty: all have some
 };
 
-/// How disparities become millimetres: a point z mm behind the image plane has the disparity
+/// Relation of disparity and millimetres: a point z mm behind the image plane has the disparity
 /// -ratio z / (distance + z).
 struct DepthScale {
     double distance = 0; ///< from the eyes to the image plane, mm; > 0
-    double ratio = 1;    ///< distance between neighbouring eyes by a pixel's width in that plane
+    double ratio = 1;    ///< distance between neighbouring eyes / a pixel's width in that plane
 
     double disparity(double mm) const { return -ratio * mm / (distance + mm); }
     /// Inverse; infinite where the lines of sight do not meet.
     double mm(double disparity) const;
 };
 
-/// Where the pixels of the views lie in the image plane: the middle of the top left one, and the
-/// steps to the next on the right and to the next below. In mm, x to the right and y up; for views
-/// of unknown size, in pixels.
+/// Places of the views' pixels in the image plane: the middle of the top left pixel, and the steps
+/// to the next one on the right and the next one below. In mm, x to the right and y up; in pixels
+/// for views of unknown size.
 struct PixelPlaces {
     Vec2 first, right{1, 0}, down{0, -1};
     Vec2 at(double column, double row) const { return first + column * right + row * down; }
-    Vec2 pixel_at(Vec2 point) const; ///< inverse: column and row, whole in the middle of a pixel
+    Vec2 pixel_at(Vec2 point) const; ///< inverse: column and row, whole at pixel middles
 };
 
 struct ViewSet {
@@ -59,10 +59,10 @@ struct ViewSet {
     ColourPlanes colours; ///< of the middle view before soften()
     PixelPlaces places;
     std::optional<DepthScale> scale; ///< nothing: millimetres are not known
-    Vec2 eye; ///< of the middle view, mm; not 0 in a grid with no eye in its middle
-    bool turned = false; ///< clockwise by a quarter
+    Vec2 eye;            ///< of the middle view, mm; not 0 in a grid with no eye in its middle
+    bool turned = false; ///< clockwise by 90 degrees
 
-    /// Pixels of the views before they were turned, and the index of a pixel there.
+    /// Size of the views before they were turned, and the index of pixel (x, y) there.
     int upright_width() const { return turned ? height : width; }
     int upright_height() const { return turned ? width : height; }
     std::size_t upright_pixel(int x, int y) const
@@ -73,31 +73,31 @@ struct ViewSet {
     bool is_lit(std::size_t pixel) const { return middle.lit.empty() || middle.lit[pixel] > 0; }
 };
 
-/// Softens all views a little, each pixel with its neighbours that are lit, so that they can be
-/// compared between their pixels too: an edge that is a pixel wide differs there from itself. Keeps
-/// `colours` as they were.
+/// Softens all views a little: mixes each pixel with its lit neighbours. Then views can be compared
+/// between their pixels too; without it, an edge one pixel wide would not match the same edge in
+/// another view. `colours` stay unsoftened.
 void soften(ViewSet& views, int threads);
 
-/// Where views were taken from, for ones that do not carry it. In mm.
+/// Eyes of views, for files that do not contain them. In mm.
 struct ViewEyes {
     Vec2 spacing;        ///< between neighbouring eyes, across and up
     double distance = 0; ///< from the eyes to the plane without parallax
     double width = 0;    ///< of a view in that plane
 };
 
-/// The views of a grid of eyes as a set; the middle one is that of column columns / 2 and row
-/// rows / 2. `eyes`: if nothing, the spacing is taken as the same across and up, and millimetres
-/// are not known. `shape`: width by height of a view as it is to be seen; nothing: that of its
-/// pixels. Throws std::invalid_argument if the views differ in size or are fewer than 3.
+/// Makes a set from the views of a grid of eyes; the middle view is in column columns / 2 and row
+/// rows / 2. Without `eyes`, the spacing is the same across and up, and millimetres are not known.
+/// `shape`: displayed width / height of a view; nothing: pixels are square. Throws
+/// std::invalid_argument if the views differ in size or are fewer than 3.
 ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
                  const std::optional<ViewEyes>& eyes, std::optional<double> shape = std::nullopt);
 
-/// What eyes see of a frame that are spread over its viewing zone, as far apart as neighbouring
-/// pixels of the film show (farther where these are more than 256 a lens): a column for each lens
-/// and a row for each row of lenses, or (lenticular sheets) of the film; turned where lenses lie
-/// across. Each value is interpolated between the pixels of its lens, never across the border of
-/// two. Throws std::invalid_argument for a frame with fewer than 3 pixels a lens, or smaller than a
-/// lens; Interrupted if `progress` stops the work.
+/// The views of a frame from eyes spread over its viewing zone, as far apart as the images of
+/// neighbouring film pixels in the eyes' plane (farther if a lens has more than 256 of these). A
+/// view has a column for each lens, and a row for each row of lenses or (lenticular sheets) of the
+/// film; it is turned if the lenses lie across. Each value is interpolated between the pixels of
+/// its lens, never across the border of two lenses. Throws std::invalid_argument for a frame with
+/// fewer than 3 pixels a lens, or smaller than a lens; Interrupted if `progress` stops the work.
 ViewSet view_set(const Frame& frame, int threads, const Progress& progress);
 
 } // namespace integral

@@ -10,8 +10,8 @@ namespace integral {
 
 namespace {
 
-/// A shift along one axis: whole pixels, and the weights of the four pixels around the place there
-/// (the cubic of Catmull and Rom).
+/// A shift along one axis: whole pixels, and the weights of the four pixels around the shifted
+/// place (the cubic of Catmull and Rom).
 struct Shift {
     explicit Shift(double pixels) : whole(int(std::floor(pixels + 1e-4)))
     {
@@ -29,7 +29,7 @@ struct Shift {
     float weight[4];
 };
 
-/// Whether a view belongs to a kind of sum: 0, of all views, or 1 to 4, of a half of them.
+/// Whether a view belongs to a kind of sum: of all views (0), or of a half of them (1 to 4).
 bool is_in_half(const DepthView& view, int kind)
 {
     const bool in_half[] = {true, view.shift.x > 0, view.shift.x<0, view.shift.y> 0,
@@ -37,7 +37,7 @@ bool is_in_half(const DepthView& view, int kind)
     return in_half[kind];
 }
 
-/// Those of `size` pixels that have all their neighbours after the shift.
+/// The pixels, out of `size`, for which the shift needs no pixel outside [0, size).
 PixelRange range_after(const Shift& shift, int size)
 {
     return {std::max(0, shift.before() - shift.whole),
@@ -48,7 +48,7 @@ PixelRange range_after(const Shift& shift, int size)
 
 bool is_in_cross(Vec2 shift) { return std::min(std::fabs(shift.x), std::fabs(shift.y)) < 0.51; }
 
-/// One row's sums, of all views and of four halves of them. Votes and their number.
+/// Sums of votes and numbers of votes for one row, over all views and over four halves of them.
 struct Votes::Sums {
     static constexpr int kinds = 5;
     explicit Sums(int width) : between(3 * std::size_t(width))
@@ -67,11 +67,11 @@ struct Votes::Sums {
             std::fill(n.begin(), n.end(), 0.0f);
     }
     std::vector<float> votes[kinds], number[kinds], vote;
-    std::vector<float> between; ///< a row of each channel, between the view's rows
+    std::vector<float> between; ///< a row of each channel, interpolated between rows of the view
 };
 
-/// How much each pixel of the middle view changes when it is shifted by a pixel, squared. `share`:
-/// of the shifts that are across, and down.
+/// Squared change of the colours at each pixel of the middle view under a shift by a pixel.
+/// `share`: weights of shifts across and down.
 static std::vector<float> squared_changes(const ViewSet& views, Vec2 share)
 {
     const int width = views.width, height = views.height;
@@ -102,7 +102,7 @@ Votes::Votes(const ViewSet& views, const VoteSettings& settings)
       ones_(std::size_t(views.width), 1)
 {
     const int width = views.width, height = views.height;
-    Vec2 share{1e-9, 1e-9}; // of the shifts that are across, and down
+    Vec2 share{1e-9, 1e-9}; // sums of the views' squared shifts, across and down
     for (const DepthView& view : views.others) {
         if (settings.cross && !is_in_cross(view.shift))
             continue;
@@ -117,7 +117,7 @@ Votes::Votes(const ViewSet& views, const VoteSettings& settings)
                 noise = float(settings.noise * settings.noise);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            float sum = 0; // around the pixel, as the change at a line's middle is 0
+            float sum = 0; // over 3 x 3 pixels, as the change in the middle of a thin line is 0
             for (int j = -1; j <= 1; ++j)
                 for (int i = -1; i <= 1; ++i)
                     sum += change[std::size_t(std::clamp(y + j, 0, height - 1)) * width +
@@ -191,7 +191,7 @@ void Votes::finish_row(const Sums& sums, float* mean) const
     if (!settings_.halves)
         return;
     for (int kind = 1; kind < Sums::kinds; ++kind) {
-        // The fewer views a half has, the easier it agrees by chance.
+        // The fewer views a half has, the more easily all of them agree by chance.
         const float trust = std::max(0.0f, 1 - 2.0f / float(std::max(1, views_in_half_[kind - 1])));
         const float *votes = sums.votes[kind].data(), *number = sums.number[kind].data();
         for (int x = 0; x < views_.width; ++x)

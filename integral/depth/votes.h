@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How many views agree that a pixel of the middle one has a disparity.
+// Counts the views that agree on a disparity of a pixel of the middle view.
 #ifndef INTEGRAL_DEPTH_VOTES_H
 #define INTEGRAL_DEPTH_VOTES_H
 
@@ -8,16 +8,16 @@
 namespace integral {
 
 struct VoteSettings {
-    double tolerance = 0.2; ///< pixels: a view's colour may differ by what the texture changes
-                            ///< over so much of a shift ...
-    double noise = 0.006;   ///< ... and by that, as a distance in R, G, B of full scale 1
-    bool halves = true; ///< of the views to the left, right, above and below, count the half that
-                        ///< agrees best, as an edge hides a point from the others
-    bool cross = false; ///< only views (about) to the left, right, above and below vote
+    double tolerance = 0.2; ///< pixels: a view's colour may differ by as much as a shift of the
+                            ///< texture by this changes it ...
+    double noise = 0.006;   ///< ... and by this, a distance in R, G, B of full scale 1
+    bool halves = true; ///< take the best mean vote of all views and of the left, right, upper and
+                        ///< lower half of them: an edge hides a point from some halves alone
+    bool cross = false; ///< only views (about) to the left, right, above and below count
 };
 
-/// Whether a view of that shift is in the cross of those: its eye less than one step from the
-/// middle's row or column (half a step, in grids with no eye in the middle).
+/// Whether a view with that shift votes if VoteSettings::cross is set: it stands in the middle
+/// view's row or column (or half a step off, in grids with no eye in the middle).
 bool is_in_cross(Vec2 shift);
 
 /// Pixels [first, last) of a row or a column.
@@ -25,10 +25,10 @@ struct PixelRange {
     int first, last;
 };
 
-/// Counts votes. A view votes for a disparity of a pixel if it has, where the point would then be,
-/// nearly the pixel's colour: its vote falls from 1 for the same colour to 0 for one that differs
-/// by what the settings allow. Views that do not show that place, or have no light there, do not
-/// count.
+/// Counts votes. A view votes for a disparity of a pixel if its colour, at the place where a point
+/// of that disparity appears, is close to the pixel's: its vote falls from 1 for the same colour to
+/// 0 for the difference that the settings allow. Views that do not show that place, or have no
+/// light there, do not count.
 class Votes {
 public:
     /// The views must outlive this.
@@ -48,8 +48,8 @@ private:
     const ViewSet& views_;
     VoteSettings settings_;
     int views_used_ = 0, views_in_half_[4] = {};
-    std::vector<float> sharpness_; ///< 1 / squared difference that is allowed, of each pixel
-    std::vector<float> ones_;      ///< a row of them
+    std::vector<float> sharpness_; ///< 1 / allowed squared difference of each pixel
+    std::vector<float> ones_;      ///< a row of ones
 };
 
 } // namespace integral

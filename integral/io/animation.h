@@ -3,7 +3,7 @@
 #ifndef INTEGRAL_IO_ANIMATION_H
 #define INTEGRAL_IO_ANIMATION_H
 
-#include "integral/lightfield/image.h"
+#include "integral/frame/image.h"
 
 #include <string>
 #include <vector>
@@ -23,12 +23,12 @@ public:
     explicit Animation(int quality) : quality_(quality) {}
 
     /// Appends a picture. Throws std::runtime_error with the reason if its size differs from the
-    /// others', is too large, or libwebp fails.
+    /// first picture's or is too large, or if libwebp fails.
     void add(const Image& picture);
 
     /// The file's bytes. Each picture is shown for `milliseconds` > 0, and the animation repeats
-    /// without end. `there_and_back`: after the last picture the others follow in reverse order,
-    /// each end shown once. Throws std::runtime_error if libwebp fails or there are no pictures.
+    /// without end. `there_and_back`: after the last picture, the inner pictures follow in reverse
+    /// order. Throws std::runtime_error if libwebp fails or there are no pictures.
     std::string bytes(int milliseconds, bool there_and_back) const;
 
 private:

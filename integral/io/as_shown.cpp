@@ -24,7 +24,7 @@ public:
         head_.profile.clear();
         head_.image.encoding = sample_bits(head_.image) == 32 ? Encoding{Encoding::Kind::linear, 1}
                                                               : Encoding{};
-        head_.image.premultiplied = false; // a profile is about a pixel's own colour
+        head_.image.premultiplied = false; // a profile is for unmultiplied colours
         head_.colours_converted = true;
     }
 
@@ -39,7 +39,7 @@ public:
     std::vector<std::string> take_notices() override { return stored_->take_notices(); }
 
 private:
-    /// Reads rows without the multiplication by alpha.
+    /// Reads rows, dividing premultiplied colours by alpha.
     void read_own_colours(Image& band)
     {
         const Image& form = stored_->head().image;
@@ -98,8 +98,8 @@ private:
     }
 
     std::unique_ptr<RowReader> stored_;
-    bool lies_ = false;                            ///< the stored rows are the shown columns
-    bool from_right_ = false, from_below_ = false; ///< the way through stored columns and rows
+    bool lies_ = false;                            ///< a stored row is shown as a column
+    bool from_right_ = false, from_below_ = false; ///< order of the stored columns and rows
     Image all_;
     int next_ = 0;
 };
@@ -109,7 +109,7 @@ std::unique_ptr<RowReader> in_working_space(std::unique_ptr<RowReader> stored)
     const DecodedImage& head = stored->head();
     if (head.profile.empty())
         return stored;
-    constexpr std::size_t colour_space = 16; // where the profile's header names it
+    constexpr std::size_t colour_space = 16; // offset of the space's name in a profile
     const bool grey = head.grey && head.profile.compare(colour_space, 4, "GRAY") == 0;
     try {
         const ToWorkingSpace colours(head.profile, grey ? Inks::grey : Inks::rgb,

@@ -8,13 +8,13 @@
 
 namespace integral {
 
-/// A reader of the same picture, turned as its orientation says and converted to the working space
-/// from its profile. Returns `stored` itself where neither is needed. A turned picture is held in
-/// memory whole. A profile that cannot be used is left out, with a notice.
+/// A reader of the same picture, turned by its orientation and converted from its profile to the
+/// working space. Returns `stored` itself if neither is needed. A turned picture is held in memory
+/// whole. A profile that cannot be used is ignored, with a notice.
 std::unique_ptr<RowReader> as_shown(std::unique_ptr<RowReader> stored);
 
-/// The conversion of CMYK pixels from their profile; without one that can be used, the plain
-/// conversion, and `reader` gets a notice.
+/// The conversion of CMYK pixels from their profile. Without a usable profile, returns the
+/// conversion for "" and adds a notice to `reader`.
 ToWorkingSpace cmyk_conversion(const std::string& profile, Inks inks, int bits, RowReader& reader);
 
 } // namespace integral

@@ -35,7 +35,8 @@ std::string encoded(const DecodedImage& picture, Write write)
 
 bool is_exr(const InputFile& file) { return file.beginning(4) == "\x76\x2f\x31\x01"; }
 
-/// A reader for whichever format the file's first bytes indicate; the rest as read_any.
+/// A reader of the stored rows, for the format that the file's first bytes indicate. `path` as in
+/// read_any.
 std::unique_ptr<RowReader> read_stored(const InputFile& file, const std::string& path)
 {
     const std::string magic = file.beginning(4);
@@ -68,7 +69,7 @@ std::vector<OpenView> views_of_exr(const InputFile& file)
     return views;
 }
 
-/// The pictures of an MPO, each from where it begins to where the next one in the file does.
+/// The pictures of an MPO, each up to the beginning of the next one in the file.
 std::vector<OpenView> views_of_mpo(const InputFile& file)
 {
     std::vector<std::size_t> places = pictures_in_mpo(file.part(0, file.size()));

@@ -2,13 +2,13 @@
 // Readers and writers of the image formats PNG, OpenEXR, TIFF and JPEG, row by row or as whole
 // files in memory. To be included only by the readers and writers themselves, image_file.cpp,
 // image_writer.cpp, printed pages, the strips of a frame, the replay's page, depth maps and the
-// tests; others use image_file.h.
+// tests; all other files include image_file.h.
 #ifndef INTEGRAL_IO_CODECS_H
 #define INTEGRAL_IO_CODECS_H
 
 #include "integral/base/file_bytes.h"
+#include "integral/frame/image.h"
 #include "integral/io/input_file.h"
-#include "integral/lightfield/image.h"
 
 #include <cstdint>
 #include <functional>
@@ -28,7 +28,8 @@ struct DecodedImage {
     std::string profile = "";        ///< bytes of an ICC profile of R, G and B, empty if none
     int orientation = 1;             ///< 1 to 8, as in Exif and TIFF; 1 is upright. Never written
     bool grey = false;               ///< the file has one channel, read as three equal ones
-    bool colours_converted = false;  ///< from a profile: a document's encoding is that of before
+    bool colours_converted = false;  ///< from a profile, so that a document's encoding no longer
+                                     ///< applies
 };
 
 /// Reads a picture row by row, from the top.
@@ -45,8 +46,8 @@ public:
     /// pictures are read into memory whole. Throws std::runtime_error or std::bad_alloc.
     virtual void read(Image& band) = 0;
 
-    /// Sentences about what was found so far that a user should know, such as a decoder's warnings;
-    /// none twice.
+    /// Returns messages for the user about the file as far as it is read, such as a decoder's
+    /// warnings; each message only once.
     virtual std::vector<std::string> take_notices() { return std::exchange(notices_, {}); }
     void add_notice(const std::string& sentence) { notices_.push_back(sentence); }
 
@@ -62,11 +63,11 @@ struct ByteRange {
     std::uint64_t at = 0, count = UINT64_MAX;
 };
 
-/// Each opens a picture and reads its metadata, but no pixel. Throws std::runtime_error with the
-/// reason (without the file's name) if the file is not valid. The file must outlive the reader.
-/// Grey pictures are read as three equal channels, CMYK as RGB. `view`: of several, the number from
-/// the left; without it the leftmost is read, with a notice. The rows are as they are stored:
-/// neither turned nor converted from a profile of R, G and B.
+/// Each function opens a picture and reads its metadata, but no pixels. Throws std::runtime_error
+/// with the reason (without the file's name) if the file is not valid. The file must outlive the
+/// reader. Grey pictures are read as three equal channels, CMYK as RGB. `view`: the number of a
+/// view, from the left; without it the leftmost of several views is read, with a notice. The rows
+/// are as stored: neither turned upright nor converted from a profile of R, G and B.
 std::unique_ptr<RowReader> read_png(const InputFile& file);
 std::unique_ptr<RowReader> read_exr(const InputFile& file, std::optional<int> view = {});
 std::unique_ptr<RowReader> read_tiff(const InputFile& file);
@@ -76,15 +77,15 @@ std::unique_ptr<RowReader> read_jpeg(const InputFile& file, ByteRange range = {}
 /// read_exr does.
 int views_in_exr(const InputFile& file);
 
-/// The same for whichever format the file's first bytes indicate, as viewers show it: upright, and
-/// in the working space. `path`: the file's name, by which a broken picture is told from a file of
-/// another format.
+/// Opens a picture of any of these formats, by the file's first bytes, and shows it as viewers do:
+/// upright, and in the working space. `path`: the file's name; if the format is not recognised, its
+/// extension selects the error: a broken picture, or a file of another format.
 std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& path = "");
 
-/// Reads all views of an MPO or an OpenEXR, the leftmost first; of another JPEG or OpenEXR one.
-/// `take_notices` gets the readers' notices. Throws std::runtime_error if a picture cannot be read,
-/// or if all of them together need more memory than is free, which is known before any pixel is
-/// read.
+/// Reads all views of an MPO or a multi-view OpenEXR, the leftmost first; any other JPEG or OpenEXR
+/// gives one view. `take_notices` gets the readers' notices. Throws std::runtime_error if a picture
+/// cannot be read, or, before any pixel is read, if all pictures together need more memory than is
+/// free.
 std::vector<Image> read_list_of_views(const InputFile& file,
                                       const std::function<void(RowReader&)>& take_notices);
 
@@ -133,7 +134,7 @@ struct NamedFloats {
     const std::vector<float>* values;
 };
 
-/// An OpenEXR file of such channels, each of width x height values. An empty document is not
+/// Encodes `channels`, each of width x height values, as an OpenEXR file. An empty document is not
 /// written. Throws std::runtime_error.
 std::string encode_floats(int width, int height, const std::vector<NamedFloats>& channels,
                           const std::string& document);
@@ -166,8 +167,8 @@ std::string encode_tiff(const DecodedImage& picture);
 std::string encode_jpeg(const Image& picture, int quality);
 
 /// Throws std::runtime_error if `raw_bytes` of pixels cannot be stored in a file of `file_bytes`,
-/// where `ratio` is the highest compression ratio of the format. It prevents huge allocations for a
-/// malformed header.
+/// where `ratio` is the highest compression ratio of the format. This check prevents huge
+/// allocations for a malformed header.
 void check_plausible_size(double raw_bytes, double file_bytes, double ratio);
 
 } // namespace integral

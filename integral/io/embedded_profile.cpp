@@ -27,7 +27,7 @@ cmsHPROFILE linear_profile()
     return cmsCreateRGBProfile(&white, &primaries, curves);
 }
 
-/// Little CMS's word for pixels of a format.
+/// Little CMS's code for a pixel format.
 cmsUInt32Number pixel_type(Inks inks, int bits, int extra)
 {
     const cmsUInt32Number sample = bits == 32 ? FLOAT_SH(1) | BYTES_SH(4)

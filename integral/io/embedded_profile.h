@@ -10,7 +10,7 @@
 
 namespace integral {
 
-/// What the numbers of a stored pixel are.
+/// Meaning of a stored pixel's numbers.
 enum class Inks {
     grey,         ///< the first of three equal channels
     rgb,          ///< three channels
@@ -22,14 +22,14 @@ enum class Inks {
 /// Relative colorimetric, with black point compensation.
 class ToWorkingSpace {
 public:
-    /// `profile`: the bytes of an ICC file; "" for CMYK alone: a conversion without a profile, as
-    /// viewers do it, red = (1 - C) (1 - K). `bits`: 8, 16 or 32 (floats; not CMYK). `extra`: the
-    /// number of further channels a pixel, which are kept. Throws std::runtime_error, with a
-    /// sentence for the user, where the bytes are no profile of such pixels.
+    /// `profile`: the bytes of an ICC file; "" is allowed for CMYK only; it gives the conversion
+    /// that viewers use without a profile, red = (1 - C) (1 - K). `bits`: 8, 16 or 32 (floats; not
+    /// CMYK). `extra`: number of further channels per pixel, which are left unchanged. Throws
+    /// std::runtime_error, with a sentence for the user, if the bytes are not a profile for `inks`.
     ToWorkingSpace(const std::string& profile, Inks inks, int bits, int extra);
 
-    /// False if no 8-bit colour changes by more than 1, as with the many copies of sRGB's profile:
-    /// the pixels are then best left alone.
+    /// False if no colour in a grid of 8-bit colours changes by more than 1, as with the many
+    /// copies of sRGB's profile. The pixels are then best left unchanged.
     bool changes_colours() const;
 
     /// Converts `pixels` pixels to R, G and B. For grey and RGB, `from` and `to` are the same.

@@ -14,7 +14,7 @@ enum Type { u16_type = 3, rational = 5 };
 /// The fields of the first directory that exif_facts needs.
 struct Fields {
     std::uint32_t orientation = 1, unit = 2;
-    double x = 0, y = 0; ///< pixels a unit; 0 where there is none
+    double x = 0, y = 0; ///< pixels per unit; 0: not given
 };
 
 double rational_at(const TiffNumbers& numbers, std::size_t offset)

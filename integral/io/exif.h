@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Reads what a block of Exif data says about how its picture is shown.
+// Reads from a block of Exif data how its picture is to be shown.
 #ifndef INTEGRAL_IO_EXIF_H
 #define INTEGRAL_IO_EXIF_H
 
@@ -19,8 +19,8 @@ public:
     /// The header is at bytes[begin]. The bytes must outlive the object.
     TiffNumbers(const std::string& bytes, std::size_t begin);
 
-    /// The number of `count` bytes, 1 to 4, at an offset from the header. Throws std::runtime_error
-    /// where the bytes end before that.
+    /// The number in `count` bytes, 1 to 4, at an offset from the header. Throws std::runtime_error
+    /// if the bytes end before that.
     std::uint32_t at(std::size_t offset, int count) const;
 
 private:
@@ -34,8 +34,8 @@ struct ExifFacts {
     std::optional<Vec2> pixel_pitch; ///< mm, of the picture as it is stored
 };
 
-/// The facts in a block of Exif data that begins with its TIFF header. A block that is broken, as
-/// many cameras and editors leave it, says as much as can be read.
+/// The facts in a block of Exif data that begins with its TIFF header. From a broken block, as many
+/// cameras and editors write it, it returns the facts that can be read.
 ExifFacts exif_facts(const std::string& block);
 
 } // namespace integral

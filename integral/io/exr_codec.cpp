@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // OpenEXR: the document in a string attribute `integral`, the resolution in xDensity and
 // pixelAspectRatio; samples are linear and premultiplied by alpha.
+#include "integral/base/memory.h"
 #include "integral/io/codecs.h"
 #include "integral/io/exr_header.h"
 #include "integral/io/exr_stream.h"
 #include "integral/io/exr_views.h"
-#include "integral/base/memory.h"
 
 #include "integral/optics/film.h"
 
@@ -32,7 +32,7 @@ constexpr char attribute[] = "integral";
 constexpr double greatest_ratio = 2000; // ZIP reaches 1032, PIZ about 500
 constexpr int largest_side = 1000000;
 
-/// The OpenEXR slice of one interleaved channel of `image`, whose rows are those of `window` in the
+/// The OpenEXR slice of one interleaved channel of `image`, which holds the rows in `window` of the
 /// file.
 Imf::Slice slice(const Image& image, int channel, const Imath::Box2i& window)
 {
@@ -45,8 +45,8 @@ Imf::Slice slice(const Image& image, int channel, const Imath::Box2i& window)
 int width_of(const Imath::Box2i& window) { return window.max.x - window.min.x + 1; }
 int height_of(const Imath::Box2i& window) { return window.max.y - window.min.y + 1; }
 
-/// The number of rows that OpenEXR may hold in memory for a picture of `height` rows: all of the
-/// picture's, or a whole row of tiles if that is more.
+/// Number of rows that OpenEXR may hold in memory for a picture of `height` rows: all of them, or a
+/// whole row of tiles if that is more.
 double rows_kept(const Imf::Header& header, int height)
 {
     return header.hasTileDescription()
@@ -60,8 +60,8 @@ std::string document_of(const Imf::Header& header)
     return text ? text->value() : "";
 }
 
-/// The distances of the surfaces that a depth frame's scene has for its own eye; none in files of
-/// other programs.
+/// A depth frame's distances from the scene's eye plane to the surfaces that the eye sees; empty
+/// for files of other programs.
 std::vector<float> eye_distances_of(const Imf::Header& header)
 {
     const auto* distances = header.findTypedAttribute<Imf::FloatVectorAttribute>("eyeDistances");
@@ -99,7 +99,7 @@ struct ExrFile {
     std::optional<Imf::MultiPartInputFile> parts;
 };
 
-/// Returns what `work` returns; rethrows its exceptions as codecs.h promises.
+/// Returns work(); rethrows its exceptions as promised in codecs.h.
 template <class Work> auto guarded(Work work)
 {
     try {
@@ -197,14 +197,14 @@ private:
         part_->readPixels(rows.min.y, rows.max.y);
         if (view_.channels[0] != view_.channels[1])
             return;
-        // A grey picture has three slices for one channel, of which OpenEXR fills only the last.
+        // A grey picture has three slices for one channel; OpenEXR fills only the last.
         auto& samples = std::get<std::vector<float>>(band.samples);
         for (std::size_t i = 0; i < samples.size(); i += std::size_t(band.channels))
             samples[i] = samples[i + 1] = samples[i + 2];
     }
 
-    /// Reads rows of the display window from row `first` of the file on. What the data window does
-    /// not cover is black and transparent.
+    /// Reads rows of the display window from row `first` of the file on. Pixels outside the data
+    /// window are black and transparent.
     void place_stored(Image& band, int first)
     {
         auto& samples = std::get<std::vector<float>>(band.samples);
@@ -316,7 +316,7 @@ bool is_whole_exr(const std::string& path)
         Imf::InputFile file(path.c_str(), 0);
         const Imath::Box2i window = file.header().dataWindow();
         std::vector<float> row(std::size_t(width_of(window)));
-        Imf::FrameBuffer target; // every row overwrites the one before
+        Imf::FrameBuffer target; // every row overwrites the previous row
         target.insert("R",
                       Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(row.data() - window.min.x),
                                  sizeof(float), 0));

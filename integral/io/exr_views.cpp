@@ -13,7 +13,7 @@
 namespace integral {
 namespace {
 
-/// Channels of a layer, of one view, in one part.
+/// The channels of one layer of one view, in one part of the file.
 struct Group {
     int part = 0;
     std::string view, layer;
@@ -101,7 +101,7 @@ template <class Name> std::vector<std::string> names_of(const std::vector<Group>
     return names;
 }
 
-/// The layer that is the picture, of a file all of whose colours are in layers.
+/// The layer that is the picture, in a file whose colours are all in layers.
 std::string main_layer(const std::vector<std::string>& layers)
 {
     if (layers.size() == 1)
@@ -117,7 +117,7 @@ std::string main_layer(const std::vector<std::string>& layers)
                              "; save the one that is meant by itself");
 }
 
-/// The groups that have colours; if there are none, those that are grey.
+/// The groups that have colours; if there are none, the grey groups.
 std::vector<Group> pictures_of(const std::vector<Imf::Header>& headers)
 {
     std::vector<Group> colours, greys;
@@ -131,7 +131,7 @@ std::vector<Group> pictures_of(const std::vector<Imf::Header>& headers)
     return colours.empty() ? greys : colours;
 }
 
-/// The order in which eyes have views: the left one first, others as the file has them.
+/// Sorts views from the left: of two, the one named "left" first; others in the file's order.
 void put_left_first(std::vector<ExrView>& views, const std::vector<Imf::Header>& headers)
 {
     const Imf::StringVector order = Imf::hasMultiView(headers[0]) ? Imf::multiView(headers[0])

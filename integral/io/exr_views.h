@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Chooses the channels of an OpenEXR file that are its picture: of one of its layers, of one of its
-// parts, or of each of its views. To be included only by the OpenEXR codec.
+// Selects the channels of an OpenEXR file that are its picture: in one of its layers, in one of its
+// parts, or in each of its views. To be included only by the OpenEXR codec.
 #ifndef INTEGRAL_IO_EXR_VIEWS_H
 #define INTEGRAL_IO_EXR_VIEWS_H
 
@@ -20,12 +20,12 @@ struct ExrView {
 
 struct ExrViews {
     std::vector<ExrView> views; ///< the leftmost first; at least one
-    std::string notice;         ///< a sentence for the user about what else there is, or empty
+    std::string notice; ///< a sentence for the user about layers and further parts, or empty
 };
 
-/// `headers`: of all parts. Channels without a layer's name come before layers; of layers, the only
-/// one or the one whose name says that it is the picture ("beauty", "Combined"). Throws
-/// std::runtime_error, with the layers' names, where none of that is so.
+/// `headers`: of all parts. Channels without a layer's name take precedence; otherwise the only
+/// layer is used, or the only one with a picture's name ("beauty", "Combined"). Throws
+/// std::runtime_error, with the layers' names, if none of these exists.
 ExrViews exr_views(const std::vector<Imf::Header>& headers);
 
 } // namespace integral

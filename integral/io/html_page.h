@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Makes HTML report pages of tables and small pictures. Each page is one file without links to
-// other hosts, and without scripts unless one is given; only moving pictures may be files beside
-// it. Escape plain text with markup_text (integral/io/markup.h).
+// other hosts, and without scripts unless one is given; only moving pictures may be separate files.
+// Escape plain text with markup_text (integral/io/markup.h).
 #ifndef INTEGRAL_IO_HTML_PAGE_H
 #define INTEGRAL_IO_HTML_PAGE_H
 
-#include "integral/lightfield/image.h"
+#include "integral/frame/image.h"
 
 #include <string>
 
 namespace integral {
 
-/// How several pixels are reduced to one: their mean in linear light, or the greatest value of each
+/// Reduction of several pixels to one: their mean in linear light, or the greatest value of each
 /// channel, which keeps single pixels of a difference picture visible.
 enum class Scaling { average, greatest };
 
@@ -32,8 +32,8 @@ std::string link_to(const std::string& path);
 
 /// A script at the end of a page.
 struct PageScript {
-    std::string text;  ///< empty: the page has none, and its policy forbids any
-    std::string nonce; ///< of style and script, where a server's policy asks for one
+    std::string text;  ///< empty: the page has no script, and its policy forbids scripts
+    std::string nonce; ///< of style and script, if a server's policy requires one
 };
 
 /// A whole page. `title` is plain text, `body` is HTML, and `style` is CSS that follows the page's

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/image_file.h"
 
+#include "integral/base/memory.h"
 #include "integral/base/notices.h"
 #include "integral/io/codecs.h"
-#include "integral/base/memory.h"
 
 #include <algorithm>
 #include <new>
@@ -12,7 +12,7 @@
 namespace integral {
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what)
+[[noreturn]] void throw_input(const std::string& path, const std::string& what)
 {
     throw InputError(display_name(path, "standard input") + ": " + what);
 }
@@ -25,7 +25,7 @@ template <class Read> auto guarded(const std::string& path, Read read)
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {
-        refuse(path, "it cannot be read: " + reason_of(error));
+        throw_input(path, "it cannot be read: " + reason_of(error));
     }
 }
 
@@ -66,12 +66,11 @@ FrameMetadata parse(const std::string& path, const std::string& document, const 
     try {
         return frame_metadata_from_json(document);
     } catch (const std::invalid_argument& error) {
-        refuse(path, std::string("its geometry cannot be used: ") + error.what() + help);
+        throw_input(path, std::string("its geometry cannot be used: ") + error.what() + help);
     }
 }
 
-/// The JSON document in the same folder as a picture that carries none itself; empty if there is no
-/// such file.
+/// Path of the JSON document next to a picture that carries none itself; empty if there is none.
 std::string document_beside(const std::string& path)
 {
     const auto slash = path.rfind('/'), dot = path.rfind('.');
@@ -118,10 +117,11 @@ struct FrameReader::Source {
         try {
             set_metadata(frame, *metadata);
         } catch (const std::invalid_argument& error) {
-            refuse(path, std::string(error.what()) +
-                             (sheet_file.empty()
-                                  ? give_sheet
-                                  : "; leave film.width and film.height out of " + sheet_file));
+            throw_input(path,
+                        std::string(error.what()) +
+                            (sheet_file.empty()
+                                 ? give_sheet
+                                 : "; leave film.width and film.height out of " + sheet_file));
         }
     }
 
@@ -143,20 +143,21 @@ void FrameReader::require_metadata() const
 {
     const std::string& path = source_->picture.path;
     if (source_->holds_views)
-        refuse(path,
-               "it holds views of a frame, not a frame; integral views --to-frame makes one of "
-               "them");
+        throw_input(
+            path, "it holds views of a frame, not a frame; integral views --to-frame makes one of "
+                  "them");
     if (!source_->frame.metadata)
-        refuse(path, std::string("it carries no `integral` metadata") + give_sheet +
-                         " (integral sheet --json writes one)");
+        throw_input(path, std::string("it carries no `integral` metadata") + give_sheet +
+                              " (integral sheet --json writes one)");
 }
 
 void FrameReader::refuse_projection() const
 {
     if (source_->frame.metadata && source_->frame.metadata->projection)
-        refuse(source_->picture.path,
-               "it is a frame for replay through a projection lens, of which this command knows "
-               "nothing; integral replay looks through it");
+        throw_input(
+            source_->picture.path,
+            "it is a frame for replay through a projection lens, of which this command knows "
+            "nothing; integral replay looks through it");
 }
 
 void FrameReader::read(Image& band) { source_->picture.read(band); }
@@ -285,14 +286,15 @@ FrameMetadata read_metadata(const std::string& path)
     } catch (const InputError&) {
         throw;
     } catch (const std::bad_alloc& error) {
-        refuse(path, reason_of(error));
+        throw_input(path, reason_of(error));
     } catch (const std::exception& error) {
-        refuse(path, std::string("it is neither a JSON document nor a frame: ") + error.what());
+        throw_input(path,
+                    std::string("it is neither a JSON document nor a frame: ") + error.what());
     }
     if (!metadata)
         metadata = geometry_for(path, "", document);
     if (!metadata)
-        refuse(path, "it carries no `integral` metadata");
+        throw_input(path, "it carries no `integral` metadata");
     metadata->quilt.reset();
     return *metadata;
 }
@@ -301,12 +303,12 @@ DepthFrame read_depths(const std::string& path)
 {
     DecodedDepths file = guarded(path, [&] { return decode_depths(read_file(path)); });
     if (file.document.empty())
-        refuse(path, "it carries no `integral` metadata; Integral_Depth_Image=FILE.exr writes "
-                     "depth frames that do");
+        throw_input(path, "it carries no `integral` metadata; Integral_Depth_Image=FILE.exr writes "
+                          "depth frames that do");
     DepthFrame frame{std::move(file.depth), std::move(file.imaged), parse(path, file.document, ""),
                      std::move(file.eye_distances)};
     if (frame.metadata.film.width != file.width || frame.metadata.film.height != file.height)
-        refuse(path, "its geometry is of a frame of another size");
+        throw_input(path, "its geometry is of a frame of another size");
     return frame;
 }
 

@@ -4,8 +4,8 @@
 #define INTEGRAL_IO_IMAGE_FILE_H
 
 #include "integral/base/file_bytes.h"
-#include "integral/lightfield/depth_range.h"
-#include "integral/lightfield/frame.h"
+#include "integral/frame/depth_range.h"
+#include "integral/frame/frame.h"
 
 #include <memory>
 #include <string>
@@ -20,11 +20,11 @@ enum class ImageFormat { png, exr, tiff };
 ImageFormat format_for(const std::string& path);
 
 /// Reads a picture as viewers show it, upright and in the working space; "-" is standard input. The
-/// first bytes indicate the format. What a user should know of it goes to give_notice. The geometry
+/// first bytes indicate the format. Messages for the user about it go to give_notice. The geometry
 /// comes from the first of these that exists: `sheet_file` (a JSON file; "" for none), the
-/// picture's own document, the document in the same folder (FRAME.json or FRAME.EXTENSION.json for
-/// FRAME.EXTENSION). A picture that holds views of a frame gets no geometry. The encoding is the
-/// document's, else the one that the format specifies, else sRGB. Throws InputError.
+/// picture's own document, a document in the same folder (FRAME.EXTENSION.json, then FRAME.json,
+/// for FRAME.EXTENSION). A picture that holds views of a frame gets no geometry. The encoding is
+/// the document's, else the format's own, else sRGB. Throws InputError.
 Frame read_frame(const std::string& path, const std::string& sheet_file = "");
 
 /// Reads a frame row by row, from the top.
@@ -64,11 +64,11 @@ struct Views {
     std::optional<FrameMetadata> metadata; ///< with the quilt record
 };
 
-/// Reads a quilt or a single view of one, row by row, from the top.
+/// Reads a quilt, or a single view of a quilt, row by row, from the top.
 class ViewsReader {
 public:
-    /// Opens it and reads its geometry, but no pixel. Throws InputError if the picture cannot be
-    /// read, or if `needs_geometry` and its geometry is not valid.
+    /// Opens the picture and reads its geometry, but no pixels. Throws InputError if the picture
+    /// cannot be read, or if `needs_geometry` and its geometry is not valid.
     ViewsReader(const std::string& path, bool needs_geometry);
     ~ViewsReader();
 
@@ -90,18 +90,18 @@ private:
     std::unique_ptr<Source> source_;
 };
 
-/// Reads a quilt or a single view of one at once. Throws as ViewsReader does.
+/// Reads a quilt, or a single view of a quilt, at once. Throws as ViewsReader does.
 Views read_views(const std::string& path, bool needs_geometry);
 
-/// Whether a path names a pair, or more, of views to be written into one file: it ends in .mpo, in
-/// any case.
+/// Whether a path names a file for two or more views: it ends in .mpo, in any case.
 bool is_mpo(const std::string& path);
 
 /// Whether a file holds several views of a scene: its name ends in .mpo, in any case, or it is a
 /// stereo or multi-view OpenEXR. Throws InputError if an OpenEXR cannot be read.
 bool is_list_of_views(const std::string& path);
 
-/// The views of such a file, the leftmost first; of a plain JPEG or OpenEXR one. Throws InputError.
+/// Reads all views of a file, the leftmost first; a plain JPEG or OpenEXR gives one view. Throws
+/// InputError.
 std::vector<Image> read_list_of_views(const std::string& path);
 
 /// Width and height of a picture, without reading its pixels. Throws InputError.
@@ -116,9 +116,10 @@ struct Scan {
 /// Reads a picture as a scan and ignores any geometry in it. Throws InputError.
 Scan read_scan(const std::string& path);
 
-/// The same as read_frame, but throws InputError if there is no geometry.
+/// Reads a frame like read_frame, but throws InputError if there is no geometry.
 Frame read_frame_with_metadata(const std::string& path, const std::string& sheet_file = "");
-/// The same for what knows no projection lens; throws InputError if the frame is for one.
+/// Reads a frame for commands without projection lenses; throws InputError also if the frame is for
+/// a projection lens.
 Frame read_sheet_frame(const std::string& path, const std::string& sheet_file = "");
 
 /// Reads a geometry document from a JSON file, a frame, or a picture of views (their frame's
@@ -132,12 +133,12 @@ DepthFrame read_depths(const std::string& path);
 /// complete.
 class PictureWriter {
 public:
-    /// A writer of the file that write_frame writes. Only size and form of `form` are used, not its
-    /// samples. Throws OutputError.
+    /// Writes the same file as write_frame. Only size and form of `form` are used, not its samples.
+    /// Throws OutputError.
     static PictureWriter of_frame(const std::string& path, const Image& form,
                                   const std::optional<FrameMetadata>& metadata);
 
-    /// A writer of the file that write_page writes.
+    /// Writes the same file as write_page.
     static PictureWriter of_page(const std::string& path, const Image& form, Vec2 pixel_pitch,
                                  const std::string& profile,
                                  const std::optional<FrameMetadata>& geometry);
@@ -158,10 +159,11 @@ private:
     std::unique_ptr<Target> target_;
 };
 
-/// Writes a frame, a picture of views or any other picture in the format of its file name. If it
-/// has metadata, the file gets the document and the physical resolution. Samples are converted to
-/// what the format stores: EXR linear light, premultiplied; PNG 16 bits and sRGB if they are
-/// floats. Throws OutputError; an old file at `path` is then unchanged.
+/// Writes a frame, a picture of views or any other picture in the format of its file name. If the
+/// frame has metadata, the file gets the document and, except for a picture of views, the physical
+/// resolution. Samples are converted to the format's form: EXR linear light, premultiplied; floats
+/// in a PNG 16 bits, linear light as sRGB. Throws OutputError; an old file at `path` is then
+/// unchanged.
 void write_frame(const std::string& path, const Frame& frame);
 
 /// Writes a page for a printer as PNG or TIFF without converting its samples (8 or 16 bits, three

@@ -33,7 +33,7 @@ Image form_in(ImageFormat format, const Image& form, bool has_metadata)
     return result;
 }
 
-/// Whether two forms store samples alike, so that none need be converted.
+/// Whether samples need no conversion between two forms.
 bool same_samples(const Image& a, const Image& b)
 {
     return sample_bits(a) == sample_bits(b) && same_encoding(a.encoding, b.encoding) &&
@@ -58,7 +58,7 @@ ImageFormat format_for(const std::string& path)
 }
 
 struct PictureWriter::Target {
-    /// `head` has the form of the file, `given` the form of the bands that write() gets.
+    /// `head` has the form of the file, `given` the form of the bands passed to write().
     Target(const std::string& path, const DecodedImage& head, const Image& given)
         : path(path), file(path), head(head)
     {

@@ -18,7 +18,7 @@ public:
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
 
-    /// Bytes in memory as an InputFile. They must outlive it.
+    /// Bytes in memory as an InputFile. The bytes must outlive the InputFile.
     static InputFile of_bytes(const std::string& bytes) { return InputFile(&bytes); }
 
     std::uint64_t size() const { return size_; }

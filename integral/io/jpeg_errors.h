@@ -11,10 +11,10 @@
 
 namespace integral {
 
-/// libjpeg reports errors by a function that must not return. Functions that call setjmp have no
-/// local objects with destructors.
+/// libjpeg reports errors by a function that must not return. Functions that call setjmp must have
+/// no local objects with destructors.
 struct JpegFailure {
-    jpeg_error_mgr manager; // first, as libjpeg hands on its address
+    jpeg_error_mgr manager; // the first member, because libjpeg passes on its address
     std::jmp_buf place;
     char message[JMSG_LENGTH_MAX] = "";
 };

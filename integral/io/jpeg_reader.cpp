@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Reads JPEG: quilts and views of other programs, photographs, scans and the pictures of MPO pairs.
-// 8 bits of grey, colour or CMYK. Damage that concerns little of the picture gives a notice; more,
-// an error.
+// 8 bits of grey, colour or CMYK. Damage to a small part of the picture gives a notice; more damage
+// gives an error.
 #include "integral/io/as_shown.h"
 #include "integral/io/codecs.h"
 #include "integral/io/exif.h"
@@ -23,13 +23,13 @@ using namespace std::string_literals;
 constexpr double greatest_ratio = 2000; // 64 pixels of a colour in a few bits
 constexpr double max_lost = 0.05;       // share of a picture that may be missing
 
-/// What libjpeg's warnings say of a picture. Its first member is a JpegFailure, as libjpeg hands on
-/// the address.
+/// Damage to a picture, by libjpeg's warnings. The first member must be a JpegFailure, because
+/// libjpeg passes on only its address.
 struct JpegHealth {
     JpegFailure failure;
-    char warning[JMSG_LENGTH_MAX] = ""; ///< the first
+    char warning[JMSG_LENGTH_MAX] = ""; ///< the first warning
     double lost_intervals = 0;          ///< share of the picture lost between restart markers
-    double lost_end = 0;                ///< share lost from a place to the end
+    double lost_end = 0;                ///< share lost at the picture's end
     bool ends_early = false;
 
     double lost() const { return std::min(1.0, lost_intervals + lost_end); }
@@ -53,7 +53,7 @@ void on_message(j_common_ptr common, int level)
     if (health.warning[0] == '\0')
         common->err->format_message(common, health.warning);
     health.ends_early |= code == JWRN_JPEG_EOF;
-    // At the file's end Huffman decoding warns again if it needs more bits.
+    // An early end alone is harmless in Huffman coding: libjpeg warns again if bits are missing.
     if (is_harmless(code) || (code == JWRN_JPEG_EOF && !codec.arith_code))
         return;
     const double rows = codec.total_iMCU_rows, units = rows * codec.MCUs_per_row;
@@ -63,13 +63,13 @@ void on_message(j_common_ptr common, int level)
         health.lost_end = std::max(health.lost_end, 1 - codec.input_iMCU_row / rows);
 }
 
-/// Whether a file that ended before its end marker had sent every component, and every bit of a
-/// progressive one.
+/// Whether a file that ended before its end marker contained every component and, if progressive,
+/// every bit of the coefficients.
 bool has_all_scans(const jpeg_decompress_struct& codec)
 {
     for (int c = 0; c < codec.num_components; ++c)
         if (!codec.comp_info[c].quant_table)
-            return false; // libjpeg keeps it from a component's first scan on
+            return false; // set in the component's first scan
     if (!codec.coef_bits)
         return true;
     for (int c = 0; c < codec.num_components; ++c)

@@ -33,7 +33,8 @@ bool encode(const Image& picture, int quality, JpegFailure& failure, Written& wr
     jpeg_set_defaults(&codec);
     jpeg_set_quality(&codec, quality, TRUE);
     codec.write_JFIF_header = FALSE; // an MPO's pictures begin with Exif
-    codec.comp_info[0].h_samp_factor = codec.comp_info[0].v_samp_factor = 1; // whole colours
+    codec.comp_info[0].h_samp_factor = codec.comp_info[0].v_samp_factor = 1; // no chroma
+                                                                             // subsampling
     jpeg_start_compress(&codec, TRUE);
     for (int y = 0; y < picture.height; ++y) {
         auto* row = const_cast<unsigned char*>(row_bytes(picture, y));

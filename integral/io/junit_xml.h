@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// JUnit's XML, in which CI systems show outcomes.
+// Writes JUnit's XML, the form of outcomes that CI systems show.
 #ifndef INTEGRAL_IO_JUNIT_XML_H
 #define INTEGRAL_IO_JUNIT_XML_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// An ICC profile that Little CMS has opened.
+// Owns an ICC profile opened by Little CMS.
 #ifndef INTEGRAL_IO_LCMS_PROFILE_H
 #define INTEGRAL_IO_LCMS_PROFILE_H
 

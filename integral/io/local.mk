@@ -8,6 +8,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/as_shown.h \
   integral/io/codecs.cpp \
   integral/io/codecs.h \
+  integral/io/device_text.cpp \
+  integral/io/device_text.h \
   integral/io/embedded_profile.cpp \
   integral/io/embedded_profile.h \
   integral/io/exif.cpp \
@@ -18,6 +20,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/exr_stream.h \
   integral/io/exr_views.cpp \
   integral/io/exr_views.h \
+  integral/io/frame_rows.h \
   integral/io/html_page.cpp \
   integral/io/html_page.h \
   integral/io/image_file.cpp \
@@ -35,12 +38,12 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/markup.h \
   integral/io/mpo_file.cpp \
   integral/io/mpo_file.h \
-  integral/io/picture_series.cpp \
-  integral/io/picture_series.h \
   integral/io/pdf_file.cpp \
   integral/io/pdf_file.h \
   integral/io/pfm_file.cpp \
   integral/io/pfm_file.h \
+  integral/io/picture_series.cpp \
+  integral/io/picture_series.h \
   integral/io/plot.cpp \
   integral/io/plot.h \
   integral/io/plot_axis.cpp \
@@ -57,8 +60,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/png_spans.h \
   integral/io/png_writer.cpp \
   integral/io/release.h \
-  integral/io/sheet_plots.cpp \
-  integral/io/sheet_plots.h \
   integral/io/tiff_layout.cpp \
   integral/io/tiff_layout.h \
   integral/io/tiff_reader.cpp \

@@ -7,7 +7,7 @@
 namespace integral {
 namespace {
 
-/// Length of the UTF-8 character of XML 1.0 that begins at `at`; 0 if none does.
+/// Length of the UTF-8 character of XML 1.0 that begins at `at`; 0 if there is none.
 std::size_t character_length(const std::string& text, std::size_t at)
 {
     const auto byte = [&](std::size_t i) {

@@ -43,8 +43,7 @@ struct Field {
 
 std::string header() { return "MM\0\x2a"s + u32(8); }
 
-/// A directory that begins `at` bytes after the header's first; `next`: where the next one does, 0
-/// for none.
+/// A directory at offset `at` from the header; `next`: offset of the next directory, 0 for none.
 std::string directory(const std::vector<Field>& fields, std::size_t at, std::uint32_t next = 0)
 {
     std::string text = u16(std::uint32_t(fields.size())), behind;
@@ -67,7 +66,7 @@ std::string segment(char marker, const std::string& content)
     return "\xff"s + marker + u16(std::uint32_t(content.size() + 2)) + content;
 }
 
-/// What DC-007 asks of every picture: Exif, as short as it may be.
+/// The Exif that DC-007 requires of every picture, as short as possible.
 std::string exif(const Image& picture)
 {
     const std::vector<Field> of_pixels = {
@@ -90,7 +89,7 @@ std::string exif(const Image& picture)
                                directory(of_pixels, place));
 }
 
-/// How a picture stands among the views. Its number counts from 1 at the left.
+/// The fields for a picture's place among the views, which are numbered from 1 at the left.
 std::vector<Field> attributes(std::size_t view, double baseline, bool with_version)
 {
     std::vector<Field> fields;
@@ -101,12 +100,12 @@ std::vector<Field> attributes(std::size_t view, double baseline, bool with_versi
     fields.push_back({0xb205, srational, 1, u32(0) + u32(1)}); // the eyes look straight ahead
     const auto micrometres = std::uint32_t(
         std::lround(std::fmin(1000 * baseline * double(view), 4e9)));
-    fields.push_back({0xb206, rational, 1, u32(micrometres) + u32(1000000)}); // m from it
+    fields.push_back({0xb206, rational, 1, u32(micrometres) + u32(1000000)}); // m from the base
     return fields;
 }
 
-/// The first picture's index and attributes; `sizes`: of the pictures, bytes; `header_at`: where in
-/// the file the index's header is.
+/// The first picture's index and attributes; `sizes`: the pictures' sizes, bytes; `header_at`:
+/// offset of the index's header in the file.
 std::string first_index(const std::vector<std::size_t>& sizes, std::size_t header_at,
                         double baseline)
 {
@@ -131,12 +130,12 @@ std::string other_index(std::size_t view, double baseline)
     return segment('\xe2', "MPF\0"s + header() + directory(attributes(view, baseline, true), 8));
 }
 
-/// Where the index's header is; nothing where a file has none.
+/// Offset of the index's header; nothing if a file has none.
 std::optional<std::size_t> index_header(const std::string& bytes)
 {
     if (bytes.compare(0, 2, "\xff\xd8") != 0)
         return std::nullopt;
-    const TiffNumbers file(bytes, 0); // markers' lengths: big-endian, as no II is there
+    const TiffNumbers file(bytes, 0); // reads big-endian, as no JPEG begins with II
     for (std::size_t at = 2; at + 8 <= bytes.size() && bytes[at] == '\xff';) {
         const auto marker = std::uint8_t(bytes[at + 1]);
         if (marker == 0xda || marker == 0xd9) // pixels follow, or nothing
@@ -156,11 +155,11 @@ std::string mpo_of_views(const std::vector<Image>& views, int quality, double ba
     std::vector<std::size_t> sizes;
     for (std::size_t k = 0; k < views.size(); ++k) {
         heads.push_back("\xff\xd8" + exif(views[k]));
-        bodies.push_back(encode_jpeg(views[k], quality).substr(2)); // without the picture's begin
+        bodies.push_back(encode_jpeg(views[k], quality).substr(2)); // without the start marker
         sizes.push_back(heads[k].size() + bodies[k].size() +
                         (k == 0 ? 0 : other_index(k, baseline).size()));
     }
-    sizes[0] += first_index(sizes, 0, baseline).size(); // whose size depends on no number in it
+    sizes[0] += first_index(sizes, 0, baseline).size(); // the size is independent of the numbers
     const std::size_t header_at = heads[0].size() + 8;
     std::string file;
     for (std::size_t k = 0; k < views.size(); ++k)
@@ -203,7 +202,7 @@ std::vector<std::size_t> pictures_in_mpo(const std::string& bytes)
                                      " pictures");
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t entry = list + entry_size * i;
-            constexpr std::uint32_t of_thumbnails = 1; // kind of small copies of another picture
+            constexpr std::uint32_t of_thumbnails = 1; // type of a picture's small copies
             if ((index.at(entry, 4) >> 16 & 0xff) == of_thumbnails)
                 continue;
             const std::uint32_t offset = index.at(entry + 8, 4);

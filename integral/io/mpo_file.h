@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Multi-picture files (MPO, CIPA DC-007-2009): several JPEGs one behind another, and an index of
-// them in the first. 3D cameras, televisions and viewers know those of two views.
+// Reads and writes multi-picture files (MPO, CIPA DC-007-2009): several JPEGs in succession, with
+// an index of them in the first. 3D cameras, televisions and viewers support files of two views.
 #ifndef INTEGRAL_IO_MPO_FILE_H
 #define INTEGRAL_IO_MPO_FILE_H
 
-#include "integral/lightfield/image.h"
+#include "integral/frame/image.h"
 
 #include <string>
 #include <vector>
@@ -19,9 +19,8 @@ std::string mpo_of_views(const std::vector<Image>& views, int quality, double ba
 /// Writes a file of the two views that stand side by side in `pair`. Throws OutputError.
 void write_mpo(const std::string& path, const Image& pair, int quality, double baseline);
 
-/// Where the pictures of such a file begin: offsets from the beginning of its bytes, in the index's
-/// order, the first one 0. Empty for other files, plain JPEGs among them. Throws
-/// std::runtime_error where there is an index that makes no sense.
+/// Offsets of the pictures in an MPO's bytes, in the index's order; the first offset is 0. Empty
+/// for other files, including plain JPEGs. Throws std::runtime_error if the index makes no sense.
 std::vector<std::size_t> pictures_in_mpo(const std::string& bytes);
 
 } // namespace integral

@@ -13,10 +13,10 @@
 namespace integral {
 
 /// A PDF 1.6 file whose objects are written as soon as they are given. The bytes of a stream are
-/// compressed (deflate) as they are written, and its length follows in a separate object, so that a
-/// picture of any size needs memory for a few rows only. (QPDF and cairo hold every stream in
-/// memory.) Objects are given as PDF text, "<< /Type /Page >>", and refer to each other with
-/// reference(). Every function throws what the sink throws. See PDF 32000-1:2008, section 7.5.
+/// compressed (deflate) as they are written, and the stream's length follows in a separate object,
+/// so that a picture of any size needs memory for a few rows only. (QPDF and cairo hold every
+/// stream in memory.) Objects are given as PDF text, "<< /Type /Page >>", and refer to each other
+/// with reference(). Every function throws what the sink throws. See PDF 32000-1:2008, section 7.5.
 class PdfFile {
 public:
     /// Writes the header. `sink` must outlive this object.
@@ -34,9 +34,9 @@ public:
     /// A function that accepts the next bytes of a stream.
     using TakeBytes = std::function<void(const void* bytes, std::size_t count)>;
 
-    /// Writes a stream; returns its number. `entries` are added to its dictionary, which also gets
-    /// length and filter: "/N 3". `provide` is called once, with a function to which it must pass
-    /// all the stream's bytes. Throws what `provide` throws.
+    /// Writes a stream; returns its number. `entries`, such as "/N 3", are added to its dictionary,
+    /// which also gets length and filter. `provide` is called once, with a function to which it
+    /// must pass all the stream's bytes. Throws what `provide` throws.
     int add_stream(const std::string& entries,
                    const std::function<void(const TakeBytes&)>& provide);
     int add_stream(const std::string& entries, const std::string& bytes);

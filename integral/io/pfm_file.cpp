@@ -14,7 +14,7 @@ namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
-/// The next word of a header, of at most 20 characters; the one space after it is passed.
+/// The next word of a header, of at most 20 characters; skips the one space after it.
 std::string word(const std::string& bytes, std::size_t& at)
 {
     std::string text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Portable float maps (.pfm), in which light-field benchmarks keep disparities.
+// Reads and writes portable float maps (.pfm), in which light-field benchmarks store disparities.
 #ifndef INTEGRAL_IO_PFM_FILE_H
 #define INTEGRAL_IO_PFM_FILE_H
 

@@ -25,11 +25,11 @@ struct PlotSeries {
     std::vector<std::string> names; ///< a short text for each point; may be empty
     Style style = Style::line;
     bool band = false;         ///< draw low to high as a shaded band instead of bars
-    std::optional<int> colour; ///< index >= 0 in a palette of 7, the last of which is grey;
-                               ///< default: the series' index
+    std::optional<int> colour; ///< index >= 0 in a palette of 7, whose last is grey; default: the
+                               ///< series' index
 };
 
-/// An axis. An end of its range that is not given is chosen so that all points fit, and rounded
+/// An axis. If an end of the range is not given, it is chosen so that all points fit, and rounded
 /// outwards to a tick.
 struct PlotAxis {
     std::string label;               ///< quantity and unit, as in "distance (mm)"

@@ -39,7 +39,7 @@ PlotTick linear_tick(double value, double largest, int exponent)
     else if (largest < 1e6 && exponent >= -5)
         tick.label = number(value, std::max(0, -exponent));
     else {
-        // As 12.5·10^7, where all ticks use the power of ten of the largest.
+        // For example 12.5·10^7: all ticks use the power of ten of the largest tick.
         const int power = static_cast<int>(std::floor(std::log10(largest) + 1e-12));
         tick.label = number(value / std::pow(10.0, power), std::max(0, power - exponent)) +
                      "\u00b710";

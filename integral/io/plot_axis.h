@@ -27,9 +27,10 @@ struct PlotScale {
     bool contains(double value) const;
 };
 
-/// The scale for the showable ones among `values`. Ticks are at 1-2-5 steps, at most `most_labels`
-/// (>= 2) of them; on a logarithmic axis they are at decades and, if there is room, between. Throws
-/// std::invalid_argument if the axis's given range is reversed, empty or not showable.
+/// The scale for the showable values among `values`. Ticks are at 1-2-5 steps, at most
+/// `most_labels` (>= 2) of them; on a logarithmic axis they are at decades and, if there is room,
+/// between decades. Throws std::invalid_argument if the axis's given range is reversed, empty or
+/// not showable.
 PlotScale make_scale(const PlotAxis& axis, const std::vector<double>& values, int most_labels);
 
 } // namespace integral

@@ -36,7 +36,7 @@ public:
     void set_font(double size, bool bold);
     double text_width(const std::string& text);
     void write(const std::string& text, double left, double baseline, PlotInk ink);
-    /// The same with a white outline, so that it is legible over lines.
+    /// Writes with a white outline, so that the text is legible over lines.
     void write_with_halo(const std::string& text, double left, double baseline, PlotInk ink);
     /// Writes upwards from `bottom`, rotated 90 degrees to the left.
     void write_upwards(const std::string& text, double baseline, double bottom, PlotInk ink);

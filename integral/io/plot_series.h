@@ -43,8 +43,8 @@ void draw_lines(PlotCanvas& canvas, const Plot& plot, const PlotArea& area);
 /// Draws the marks of the points that lie in the area.
 void draw_marks(PlotCanvas& canvas, const Plot& plot, const PlotArea& area);
 
-/// Writes the names of the points that lie in the area, where they cover no mark and no line if
-/// there is room.
+/// Writes the names of the points that lie in the area. If there is room, they cover no mark and no
+/// line.
 void write_names(PlotCanvas& canvas, const Plot& plot, const PlotArea& area);
 
 } // namespace integral

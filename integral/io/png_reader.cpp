@@ -18,7 +18,7 @@ namespace {
 
 constexpr double greatest_deflate_ratio = 1100; // deflate reaches 1032
 
-/// Only a colour profile that cannot be read changes what is seen.
+/// Records only warnings about a colour profile that cannot be read; no others affect the picture.
 void on_warning(png_structp png, png_const_charp message)
 {
     auto* session = static_cast<PngSession*>(png_get_error_ptr(png));
@@ -120,7 +120,7 @@ Encoding encoding_of(const PngSession& s)
 {
     int intent;
     double gamma;
-    if (png_get_valid(s.png, s.info, PNG_INFO_iCCP)) // which comes before gAMA
+    if (png_get_valid(s.png, s.info, PNG_INFO_iCCP)) // which takes precedence over gAMA
         return {};
     if (png_get_sRGB(s.png, s.info, &intent) || !png_get_gAMA(s.png, s.info, &gamma))
         return {};

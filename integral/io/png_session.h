@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What the PNG reader and writer share; to be included only by them.
+// State and helpers of the PNG reader and writer; to be included only by them.
 #ifndef INTEGRAL_IO_PNG_SESSION_H
 #define INTEGRAL_IO_PNG_SESSION_H
 
 #include "integral/base/file_bytes.h"
+#include "integral/frame/image.h"
 #include "integral/io/png_spans.h"
-#include "integral/lightfield/image.h"
 
 #include <png.h>
 
@@ -20,20 +20,20 @@ inline constexpr char png_keyword[] = "integral";
 inline constexpr double mm_per_metre = 1000;
 
 /// The state that libpng's callbacks need. libpng reports errors by longjmp, so the functions below
-/// that call setjmp, and what they call, have no local objects with destructors.
+/// that call setjmp, and the functions called by them, have no local objects with destructors.
 struct PngSession {
     png_structp png = nullptr;
     png_infop info = nullptr;
     const InputFile* input = nullptr;
     std::vector<ByteSpan> spans; ///< parts of the input, in the order in which libpng gets them
     std::vector<unsigned char> ahead; ///< bytes read from the input for libpng
-    std::size_t taken = 0;            ///< number of bytes of `ahead` that libpng has got
+    std::size_t taken = 0;            ///< number of bytes of `ahead` that libpng has received
     ByteSink* output = nullptr;
     std::exception_ptr failure; ///< exception thrown by the sink
     std::size_t row_bytes = 0;  ///< length of a row in the file, before it is expanded
     bool grey = false;          ///< the file has one channel, or one and alpha
     char message[160] = "";
-    char warning[160] = ""; ///< the first about the colour profile
+    char warning[160] = ""; ///< the first warning about the colour profile
 };
 
 inline void on_png_error(png_structp png, png_const_charp message)

@@ -29,8 +29,8 @@ ChunkHead head_at(const InputFile& file, std::uint64_t at)
     return head;
 }
 
-/// The file's bytes, with the metadata moved to before the byte `first_pixels`, which lies before
-/// all of them.
+/// The file's bytes, with the metadata chunks moved to the offset `first_pixels`. All of them must
+/// lie after that offset.
 std::vector<ByteSpan> with_metadata_first(const InputFile& file, std::uint64_t first_pixels,
                                           const std::vector<ByteSpan>& metadata)
 {
@@ -69,7 +69,7 @@ std::vector<ByteSpan> png_spans(const InputFile& file, bool whole)
         if (head.is("IDAT")) {
             if (!whole)
                 break;
-            behind.clear(); // chunks between pixel chunks stay there, and libpng refuses them
+            behind.clear(); // chunks between pixel chunks stay there, and libpng rejects them
             first_pixels = first_pixels ? first_pixels : at;
         } else if (first_pixels && head.is_metadata()) {
             behind.push_back({at, around + length});

@@ -25,7 +25,7 @@ void on_write(png_structp png, png_bytep data, png_size_t count)
 void on_flush(png_structp) {}
 void on_warning(png_structp, png_const_charp) {}
 
-/// How the samples' values are to be understood: a printer's profile, sRGB or a power.
+/// Sets how the samples' values are interpreted: a printer's profile, sRGB or a power.
 void set_colours(PngSession& s, const DecodedImage& picture)
 {
     const Encoding& encoding = picture.image.encoding;

@@ -29,7 +29,7 @@ void read_tags(TIFF* tiff, TiffLayout& l)
         throw std::runtime_error("its size makes no sense");
 }
 
-/// Compressions that give JPEG's colours give them as RGB from here on.
+/// Makes libtiff give the colours of JPEG compressions as RGB, and rejects unknown compressions.
 void decode_jpeg_colours(TIFF* tiff, TiffLayout& l)
 {
     std::uint16_t compression = COMPRESSION_NONE;
@@ -56,7 +56,7 @@ void read_palette(TIFF* tiff, TiffLayout& l)
     const std::size_t size = std::size_t(1) << l.bits;
     for (const std::uint16_t* channel : channels)
         l.palette.insert(l.palette.end(), channel, channel + size);
-    // Old writers stored 8-bit values in the 16 bits.
+    // Old writers stored 8-bit values in the palette's 16-bit fields.
     if (std::all_of(l.palette.begin(), l.palette.end(), [](auto v) { return v < 256; }))
         for (std::uint16_t& value : l.palette)
             value = std::uint16_t(value * 257);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Reads TIFF: grey, palettes, RGB and CMYK of 1 to 16 bit integers or of floats, with or without
-// alpha, in strips or tiles, with the channels together or in planes; what libtiff converts to RGB
-// itself, too. The document is in ImageDescription, the resolution in the resolution tags.
+// alpha, in strips or tiles, with the channels together or in planes; also pictures that libtiff
+// itself converts to RGB. The document is in ImageDescription, the resolution in the resolution
+// tags.
+#include "integral/base/memory.h"
 #include "integral/io/as_shown.h"
 #include "integral/io/codecs.h"
-#include "integral/base/memory.h"
 #include "integral/io/tiff_samples.h"
 #include "integral/io/tiff_stream.h"
 
@@ -45,7 +46,7 @@ public:
         block_.resize(std::size_t(block));
     }
 
-    /// The bytes of a row of a plane. Rows come in order.
+    /// The bytes of a row of a plane. Rows must be requested in order.
     const unsigned char* row(std::uint32_t y, int plane)
     {
         const std::uint32_t first = y / block_rows_ * block_rows_;
@@ -115,8 +116,8 @@ private:
     std::vector<unsigned char> block_, tile_; ///< rows of every plane
 };
 
-/// Divides integer colours by alpha: other programs multiply them as they are stored, this one in
-/// linear light.
+/// Divides premultiplied integer colours by alpha. Other programs multiply the stored values by
+/// alpha; this program multiplies linear light.
 template <class Sample> void divide_by_alpha(Sample* pixels, std::size_t count)
 {
     constexpr std::uint64_t full = std::numeric_limits<Sample>::max();
@@ -127,7 +128,7 @@ template <class Sample> void divide_by_alpha(Sample* pixels, std::size_t count)
                                                                    pixels[3]));
 }
 
-/// Turns samples that were read into the pixels of a picture.
+/// Converts samples as read into the pixels of a picture.
 template <class Sample> class Pixels {
 public:
     Pixels(const TiffLayout& layout, const std::optional<ToWorkingSpace>& cmyk, int channels)
@@ -152,7 +153,7 @@ public:
     }
 
 private:
-    /// Puts samples of a plane where they belong in the pixels.
+    /// Puts samples of a plane into their places in the pixels.
     void take(int plane, Sample* out)
     {
         const std::size_t count = std::size_t(l_.samples_a_plane());
@@ -184,7 +185,7 @@ private:
         }
     }
 
-    /// Channel c of a grey or of a palette's index.
+    /// Channel c of a grey value or of a palette's index.
     Sample shown(Sample value, std::size_t c) const
     {
         if constexpr (std::is_integral<Sample>::value) {
@@ -216,8 +217,8 @@ std::optional<Vec2> pixel_pitch_of(TIFF* tiff)
     return Vec2{mm / x, mm / y};
 }
 
-/// The number of pictures in a file, without small copies and masks of others. Ends at the first
-/// picture.
+/// Number of pictures in a file, without small copies and masks of other pictures. Returns to the
+/// first picture.
 int count_pictures(TIFF* tiff)
 {
     constexpr int most = 1000;
@@ -229,7 +230,7 @@ int count_pictures(TIFF* tiff)
         if (TIFFLastDirectory(tiff) || !TIFFReadDirectory(tiff))
             break;
     }
-    clear_tiff_error(); // of the others
+    clear_tiff_error(); // an error in another picture
     if (!TIFFSetDirectory(tiff, 0))
         fail_tiff("it cannot be opened as a TIFF");
     return pictures;
@@ -302,7 +303,7 @@ private:
         }
     }
 
-    /// Rows of what libtiff converts as a whole.
+    /// Reads rows of a picture that libtiff converts as a whole.
     void read_converted(Image& band)
     {
         if (converted_.empty()) {
@@ -326,7 +327,7 @@ private:
     TiffStream stream_;
     TiffHandle tiff_;
     TiffLayout layout_;
-    bool divides_ = false; ///< colours by alpha
+    bool divides_ = false; ///< divides colours by alpha
     std::optional<StoredRows> stored_;
     std::optional<ToWorkingSpace> cmyk_;
     std::vector<std::uint32_t> converted_; ///< the whole picture, if libtiff converts it

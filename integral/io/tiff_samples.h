@@ -13,7 +13,8 @@
 
 namespace integral {
 
-/// `count` integers of `bits` bits each, the highest first, packed without gaps.
+/// Calls take(k, value) for `count` integers of `bits` bits each, the highest first, packed without
+/// gaps.
 template <class Take>
 void for_each_packed(const unsigned char* bytes, int bits, std::size_t count, Take take)
 {
@@ -29,8 +30,8 @@ void for_each_packed(const unsigned char* bytes, int bits, std::size_t count, Ta
     }
 }
 
-/// Samples of a row as they are read: integers of the full range of their type, or floats. The
-/// indices of a palette stay as they are.
+/// Unpacks a row's samples: to integers of the full range of their type, or to floats. Palette
+/// indices are unchanged.
 template <class Sample>
 void unpack(const TiffLayout& l, const unsigned char* bytes, std::vector<Sample>& row)
 {

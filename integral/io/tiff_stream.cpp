@@ -18,7 +18,7 @@ void on_error(const char*, const char* format, va_list arguments)
         std::vsnprintf(last_error, sizeof last_error, format, arguments);
 }
 
-/// libtiff skips a tag that it cannot read and warns. If it is the tag of the document, the file
+/// libtiff skips a tag that it cannot read, with a warning. If the tag holds the document, the file
 /// counts as damaged.
 void on_warning(const char*, const char* format, va_list arguments)
 {

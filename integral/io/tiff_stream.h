@@ -32,7 +32,7 @@ using TiffHandle = std::unique_ptr<TIFF, CloseTiff>;
 /// std::runtime_error.
 TiffHandle open_tiff(TiffStream& stream, const char* mode);
 
-/// Forgets libtiff's last error on this thread.
+/// Clears libtiff's last error on this thread.
 void clear_tiff_error();
 
 /// Throws std::runtime_error with libtiff's first error since clear_tiff_error or open_tiff, or

@@ -4,29 +4,25 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/interrupt.h"
 #include "integral/base/number_text.h"
-#include "integral/base/program_path.h"
+#include "integral/base/programs.h"
 
 #include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
-
-extern char** environ;
 
 namespace integral {
 namespace {
 
-/// What ffmpeg is told: pictures on its standard input, a file of that name.
+/// The words of ffmpeg's command: pictures from its standard input, encoded into `file`.
 std::vector<std::string> words_of(const std::string& path, const std::string& file, int width,
                                   int height, double pictures_a_second, int quality)
 {
     const bool webm = extension_of(path) == "webm";
-    // The encoders' scale is 0 (nothing is lost that can be seen) to 63 or 51.
+    // The encoders' scale runs from 0 (no visible loss) to 63 or 51.
     const long lossy = std::lround((webm ? 63 : 51) * std::sqrt(1 - quality / 100.0));
     std::vector<std::string> words = {"ffmpeg",
                                       "-hide_banner",
@@ -68,8 +64,8 @@ std::vector<std::string> words_of(const std::string& path, const std::string& fi
 
 } // namespace
 
-/// ffmpeg as a child process that reads from a socket, whose end does not kill this program by a
-/// signal.
+/// Runs ffmpeg as a child process that reads from a socket; if ffmpeg ends, writing to the socket
+/// sends no signal that would kill this program.
 class Video::Encoder {
 public:
     explicit Encoder(const std::vector<std::string>& words)
@@ -80,19 +76,11 @@ public:
             error_ = errno;
         input_ = input[0];
         said_ = said[0];
-        std::vector<char*> arguments;
-        for (const std::string& word : words)
-            arguments.push_back(const_cast<char*>(word.c_str()));
-        arguments.push_back(nullptr);
-        posix_spawn_file_actions_t files;
-        posix_spawn_file_actions_init(&files);
-        posix_spawn_file_actions_adddup2(&files, input[1], 0);
-        posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
-        posix_spawn_file_actions_adddup2(&files, said[1], 2);
-        if (error_ == 0)
-            error_ = posix_spawnp(&process_, arguments[0], &files, nullptr, arguments.data(),
-                                  environ);
-        posix_spawn_file_actions_destroy(&files);
+        if (error_ == 0) {
+            const StartedProgram started = start_program(words, input[1], -1, said[1]);
+            process_ = started.process;
+            error_ = started.error;
+        }
         for (const int end : {input[1], said[1]})
             if (end >= 0)
                 close(end);
@@ -105,11 +93,11 @@ public:
                 close(end);
         if (process_ > 0) {
             kill(process_, SIGKILL);
-            wait_for_end();
+            wait_for_program(process_);
         }
     }
 
-    /// Whether it has taken all bytes.
+    /// Writes to ffmpeg; returns whether it has taken all bytes.
     bool write(const std::uint8_t* bytes, std::size_t count)
     {
         while (error_ == 0 && count > 0) {
@@ -123,7 +111,7 @@ public:
         return error_ == 0;
     }
 
-    /// Ends its input and waits for it. Returns what went wrong, nothing if it did well.
+    /// Closes ffmpeg's input and waits for its end. Returns the error; empty if there is none.
     std::string end()
     {
         close(input_);
@@ -135,7 +123,8 @@ public:
                 text.append(some, std::size_t(n));
             else if (errno != EINTR)
                 break;
-        const int status = process_ > 0 ? wait_for_end() : -1;
+        const int status = process_ > 0 ? wait_for_program(process_) : -1;
+        process_ = -1;
         if (error_ != 0)
             return std::strerror(error_);
         if (status == 0)
@@ -145,15 +134,6 @@ public:
     }
 
 private:
-    int wait_for_end()
-    {
-        int status = -1;
-        while (waitpid(process_, &status, 0) < 0 && errno == EINTR)
-            ;
-        process_ = -1;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-
     pid_t process_ = -1;
     int input_ = -1, said_ = -1, error_ = 0;
 };
@@ -190,7 +170,7 @@ void Video::add(const Image& picture)
                  "; another --size, or a name that ends in .webm, would do");
         const std::string target = target_of(path_),
                           folder = target.substr(0, target.rfind('/') + 1);
-        file_ = std::make_unique<UnfinishedFile>(folder + unfinished_name("video"), target);
+        file_ = std::make_unique<AtomicFile>(folder + unfinished_name("video"), target);
         encoder_ = std::make_unique<Encoder>(
             words_of(path_, file_->name(), width_, height_, pictures_a_second_, quality_));
     }
@@ -219,7 +199,7 @@ void Video::finish()
     for (std::size_t i = kept_.size(); i-- > 2;) {
         const auto& samples = std::get<std::vector<std::uint8_t>>(kept_[i - 1].samples);
         if (!encoder_->write(samples.data(), samples.size()))
-            break; // end() tells why
+            break; // end() returns the reason
     }
     const std::string trouble = encoder_->end();
     if (!trouble.empty())

@@ -7,8 +7,8 @@ namespace integral {
 namespace {
 
 /// Extent along one axis (x or y) of a regular hexagon whose opposite sides are `pitch` apart:
-/// twice that of its farthest corner. `across` and `along` are the components on that axis of two
-/// unit vectors, one along the lens rows and one at right angles to them. In terms of these the
+/// twice the coordinate of its farthest corner. `across`, `along`: the components, on the axis, of
+/// the unit vectors Lattice::across() and along(). In the coordinates of these two vectors, the
 /// corners are at (pitch/2, pitch/sqrt(12)), (0, pitch/sqrt(3)) and their mirror images.
 double hexagon_extent(double pitch, double across, double along)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The capture aperture: where the viewer's eyes may be, and which rays are recorded.
+// The capture aperture: the possible places of the viewer's eyes, which select the recorded rays.
 #ifndef INTEGRAL_OPTICS_APERTURE_H
 #define INTEGRAL_OPTICS_APERTURE_H
 
@@ -11,8 +11,9 @@ namespace integral {
 
 enum class ApertureShape { rectangle, ellipse };
 
-/// Centred on the axis at z = -distance. Millimetres. It does not turn with the lens slant.
-/// A lenticular sheet's aperture is a slit without height: only its extent along the slit counts.
+/// Centred on the sheet's axis at z = -distance, in mm; does not turn with the lens slant. A
+/// lenticular sheet's aperture is a slit. Only the extent along the slit decides which film points
+/// are imaged; the extent across it is the slit's height, over which samples are spread.
 struct Aperture {
     double distance = 0;          ///< d, in front of the sheet; > 0
     double width = 0, height = 0; ///< full extents along x and y; >= 0, infinity = no limit
@@ -20,9 +21,9 @@ struct Aperture {
 };
 
 bool within_ellipse(const Aperture& aperture, Vec2 point);
-constexpr double inclusive_edge = 1 + 1e-9; // of the extents: points on the edge are inside
+constexpr double inclusive_edge = 1 + 1e-9; // factor on the extents: points on the edge are inside
 
-/// Whether a point of the aperture plane is inside. The edge is, and 1e-9 of the extent beyond.
+/// Whether a point of the aperture plane is inside, on the edge or up to 1e-9 of the extent beyond.
 inline bool contains(const Aperture& aperture, Vec2 point)
 {
     return std::fabs(point.x) <= 0.5 * aperture.width * inclusive_edge &&
@@ -33,34 +34,33 @@ inline bool contains(const Aperture& aperture, Vec2 point)
 /// Whether a lenticular sheet's slit lies along x (|slant| <= 45 degrees) or along y.
 bool slit_is_horizontal(const LensSheet& sheet);
 
-/// Whether the lenses are cylinders that lie across, so that views differ up and down: a lenticular
-/// sheet whose slit lies along y. Views of upright cylinders differ sideways, those of other lenses
-/// in both directions.
+/// Whether the lenses are cylinders that lie across, so that views differ vertically: a lenticular
+/// sheet whose slit lies along y. Upright cylinders give views that differ horizontally, other
+/// lenses in both directions.
 bool lenses_lie_across(const LensSheet& sheet);
 
-/// Of an extent (or a point) in x and y, the component along a lenticular sheet's slit, and the
-/// component across it.
+/// The component of an extent (or a point) along a lenticular sheet's slit; and that across it.
 double extent_along_slit(const LensSheet& sheet, Vec2 extent);
 double extent_across_slit(const LensSheet& sheet, Vec2 extent);
 
-/// Width (mm) of the image that the lens on the axis casts on the film of an aperture `width` wide
-/// at `distance`: thesis (3-9), 2t / sqrt(4 n^2 (d/w)^2 + n^2 - 1). May be infinite where n = 1.
+/// Width (mm), on the film, of the axial lens's image of an aperture `width` wide at `distance`:
+/// thesis (3-9), 2t / sqrt(4 n^2 (d/w)^2 + n^2 - 1). May be infinite where n = 1.
 double micro_image_width(const LensSheet& sheet, double distance, double width);
 
 /// Inverse: the aperture width whose micro-image is `cell` mm wide, 2 d s / sqrt(1 - s^2) with
-/// s = n (cell/2) / sqrt((cell/2)^2 + t^2). Nothing if s >= 1: no finite aperture fills it.
+/// s = n (cell/2) / sqrt((cell/2)^2 + t^2). Empty if s >= 1: no finite aperture is so wide.
 std::optional<double> filling_width(const LensSheet& sheet, double distance, double cell);
 
-/// Width and height (mm) of the smallest upright rectangle that contains a lens's cell, which the
-/// slant turns. For a lenticular sheet: the cell's extent along the slit, and 0 across it.
+/// Width and height (mm) of the smallest upright rectangle that contains a lens's cell, turned by
+/// the slant. For a lenticular sheet: the cell's extent along the slit, and 0 across it.
 Vec2 cell_extent(const LensSheet& sheet);
 
 /// The aperture whose micro-image behind the lens on the axis is as wide and as high as the lens's
-/// cell_extent (optics.md section 5). Nothing if no finite aperture is.
+/// cell_extent (optics.md section 5). Empty if there is no such finite aperture.
 std::optional<Aperture> filling_aperture(const LensSheet& sheet, double distance);
 
-/// Width and height, mm, of the viewing zone at the aperture's distance: the aperture, but no
-/// larger than what fills the lens on the axis (or, if no aperture does, than twice the distance).
+/// Width and height (mm) of the viewing zone at the aperture's distance: the aperture's, but each
+/// at most filling_width of the cell_extent or, if that is empty, twice the distance.
 Vec2 viewing_zone(const LensSheet& sheet, const Aperture& aperture);
 
 } // namespace integral

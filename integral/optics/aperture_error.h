@@ -9,7 +9,7 @@
 
 namespace integral {
 
-/// Says that an aperture of this width and height (mm) would image nothing; empty if it images
+/// The reason why an aperture of this width and height (mm) would image nothing; empty if it images
 /// something. Part of find_errors (camera_parameters.h).
 std::string aperture_error(const LensSheet& sheet, Vec2 extent);
 

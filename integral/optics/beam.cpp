@@ -7,7 +7,7 @@ namespace integral {
 
 namespace {
 
-/// Whether the squares of a scene point's coordinates are neither 0 nor infinite.
+/// Whether the squares of the coordinates do not overflow and that of z does not underflow.
 bool has_safe_squares(Vec3 point)
 {
     constexpr double most = 1e150;
@@ -15,10 +15,10 @@ bool has_safe_squares(Vec3 point)
            std::fabs(point.z) > 1 / most;
 }
 
-/// How light is refracted where it leaves a lens.
+/// Geometry of the refraction where light leaves a lens.
 struct Exit {
     Vec2 across, along; // the directions b and a of lens_surface.h
-    Vec2 beside;        // how far the ideal beam's ray is moved sideways from the pole ray; else 0
+    Vec2 beside;        // lateral shift of the ideal beam's ray from the pole ray; else 0
     TangentPlane plane;
 };
 
@@ -27,7 +27,7 @@ bool is_lenticular(const SheetOptics& optics)
     return optics.sheet().arrangement == Arrangement::lenticular;
 }
 
-/// For the point of a lens at `offset` from its pole (axis). Nothing where the lens has no surface.
+/// The exit at `offset` from a lens's pole (axis). Empty where the lens has no surface.
 std::optional<Exit> exit_at(const SheetOptics& optics, Vec2 offset)
 {
     Exit exit;
@@ -58,7 +58,7 @@ BeamRay make_ray(Vec2 point, double height, Vec3 refracted, double way, Vec2 ape
     return {{point.x, point.y, height}, (1 / way) * refracted, aperture_point};
 }
 
-/// The ray of a lenticular lens whose surface is `depth` (mm) from the film at the exit.
+/// The ray through a lenticular lens. `depth`: distance of the exit from the film along z, mm.
 BeamRay beam_of(const SlitRay& ray, const Exit& exit, double depth)
 {
     return make_ray(ray.point + exit.beside, exit.plane.height, ray.refracted,
@@ -152,7 +152,7 @@ void beam_rays(const SheetOptics& optics, int number, const RayRun<Vec2>& film_p
 std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_point, LensIndex lens,
                                        const LensPoint& point)
 {
-    // The pole's own ray, which most calls ask for, needs no surface.
+    // The pole's own ray, which most calls request, needs no surface.
     if (!is_lenticular(optics) && point.offset.x == 0 && point.offset.y == 0 &&
         has_safe_squares(scene_point))
         return film_point_through_pole(optics.medium(), optics.lattice().pole(lens), scene_point);
@@ -177,7 +177,7 @@ std::optional<Vec2> film_point_imaging(const SheetOptics& optics, Vec3 scene_poi
         return std::nullopt;
     const Vec2 film_point = from - exit->beside - way->x * exit->across - way->y * exit->along;
     if (is_lenticular(optics)) {
-        // Where a film point's light has two ways to the slit, beam_ray takes neither.
+        // beam_ray gives no ray where a film point's light has two ways to the slit.
         const Slit& slit = optics.slit();
         const Vec2 foot = film_point + way->x * exit->across;
         if (!reaches_slit(slit, optics.medium(), foot, way->x, signed_height(slit, point.slit),

@@ -39,7 +39,7 @@ double scale_of(const CameraParameters& p, const ViewFrame& view, double film_wi
     return k;
 }
 
-/// mm from the scene's eye to the sheet, or its projected image, by k scene units per mm.
+/// mm from the scene's eye to the sheet, or its projected image, for k scene units per mm.
 double scene_distance(const CameraParameters& p, const ViewFrame& view, double k)
 {
     if (p.move_eye)
@@ -55,7 +55,7 @@ double scene_distance(const CameraParameters& p, const ViewFrame& view, double k
     return distance;
 }
 
-/// Nothing if the scene's eye moves as the viewer's, which is `viewed` mm from the sheet.
+/// For eyes `scene` and `viewed` mm from the sheet. Empty if the two eyes always coincide.
 std::optional<Parallax> parallax_of(const CameraParameters& p, double scene, double viewed)
 {
     const Parallax parallax{p.parallax.value_or(scene / viewed), scene};
@@ -64,7 +64,7 @@ std::optional<Parallax> parallax_of(const CameraParameters& p, double scene, dou
     return parallax;
 }
 
-/// `scale`: of the aperture by that of the scene's words.
+/// `scale`: factor on the capture_aperture of the scene.
 Aperture make_aperture(const CameraParameters& p, double distance, double scale)
 {
     if (p.capture_aperture)
@@ -75,8 +75,8 @@ Aperture make_aperture(const CameraParameters& p, double distance, double scale)
     return aperture;
 }
 
-/// The aperture before a sheet, or with a projection lens that lens. A lenticular sheet's aperture
-/// fixes the heights of its rays: it is where the viewer's eyes may be, as their image by the lens.
+/// The aperture; with a projection lens, that lens. But a lenticular sheet's aperture fixes the
+/// heights of the rays, so with a projection lens it is that lens's image of the viewer's aperture.
 Aperture make_aperture(const CameraParameters& p, const std::optional<ProjectionLens>& projection,
                        double eye)
 {
@@ -183,8 +183,8 @@ double viewer_distance(const IntegralCamera& camera)
     return camera.projection ? camera.projection->viewer : camera.optics.aperture().distance;
 }
 
-/// How far in front of the sheet sight lines start, mm. The viewer sees nothing behind the eye,
-/// however far depth_range reaches.
+/// Distance in front of the sheet at which sight lines start, mm. The viewer sees nothing behind
+/// the eye, whatever the depth_range.
 static double start_distance(const IntegralCamera& camera)
 {
     const double eye = viewer_distance(camera);
@@ -193,8 +193,8 @@ static double start_distance(const IntegralCamera& camera)
                                 : eye;
 }
 
-/// Where the line of sight starts and which way it goes (any length) as the viewer sees it: in the
-/// sheet frame, or with a projection lens in the frame of the sheet's image.
+/// The start and direction (any length) of the line of sight as the viewer sees it: in the sheet
+/// frame, or with a projection lens in the frame of the sheet's image.
 static Line seen_line(const IntegralCamera& camera, const BeamRay& ray)
 {
     const Vec3 d = -1 * ray.direction;
@@ -213,7 +213,7 @@ static Line seen_line(const IntegralCamera& camera, const BeamRay& ray)
     return {{ray.aperture_point.x, ray.aperture_point.y, -distance}, d};
 }
 
-/// The line in the scene, of unit direction, that is seen as `seen`.
+/// The line in the scene, of unit direction, that the viewer sees as `seen`.
 static Line scene_line(const Collineation& relief, const Line& seen)
 {
     Line line = preimage_of(relief, seen);
@@ -260,8 +260,8 @@ std::optional<StartRegion> start_region(const IntegralCamera& camera)
         return std::nullopt;
     const Aperture& aperture = optics.aperture();
     const bool at_aperture = !camera.depth_range && !camera.pseudoscopic;
-    // Anti-aliasing and audit sample the lens's cell, so that a ray may be a cell's radius beside
-    // the pole ray. The rest allows for rounding: a ray through the aperture's very edge counts.
+    // Anti-aliasing and audit sample the lens's cell, so a ray may lie a cell's radius to the side
+    // of the pole ray. The other margins allow for rounding: a ray through the very edge counts.
     const double margin = cell_circumradius(optics.sheet()),
                  rounding = 1e-3 * optics.sheet().pitch;
     Vec2 half{0.5 * aperture.width, 0.5 * aperture.height};
@@ -272,7 +272,7 @@ std::optional<StartRegion> start_region(const IntegralCamera& camera)
             half = half + Vec2{2 * optics.sheet().pitch, 2 * optics.sheet().pitch};
     }
     const Placement& at = camera.placement;
-    // The scene's eye moves less or more than the viewer's.
+    // `scale`: the scene's eye moves less or more than the viewer's.
     const double z = *preimage_depth(camera.relief, -start_distance(camera)),
                  scale = 1 + camera.relief.bend * z;
     const Vec2 reach{scale * (1.0001 * half.x + margin) + rounding,

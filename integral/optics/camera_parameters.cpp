@@ -11,7 +11,7 @@ namespace integral {
 
 namespace {
 
-/// Collects complaints of the form "pitch 0 must be ...".
+/// Collects complaints of the form "pitch 0 is out of range: ...".
 class Complaints {
 public:
     void require(bool holds, const char* what, double value, const char* legal)
@@ -28,7 +28,7 @@ public:
 
 bool in(double value, double least, double most) { return value >= least && value <= most; }
 
-// The ranges are a little wider than those over which the optics are proven (optics.md section 7).
+// The ranges are a little wider than those for which the optics are proven (optics.md section 7).
 
 void check_sheet(const LensSheet& sheet, Complaints& c)
 {
@@ -145,7 +145,7 @@ std::string pixels_error(Vec2 print_size, double pixels)
     return text.str();
 }
 
-/// The sentence for a model that needs a curved surface, of a sheet that has none.
+/// The sentence for a sheet without the curved surface that the model needs.
 std::string surface_error(const LensSheet& sheet, LensModel model)
 {
     std::ostringstream text;

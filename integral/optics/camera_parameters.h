@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What `camera { integral ... }` can say, with its defaults and its legal values.
+// The parameters of `camera { integral ... }`, with their defaults and legal values.
 #ifndef INTEGRAL_OPTICS_CAMERA_PARAMETERS_H
 #define INTEGRAL_OPTICS_CAMERA_PARAMETERS_H
 
@@ -31,20 +31,21 @@ struct ProjectionWords {
 struct CameraParameters {
     LensSheet sheet;
     FilmParameters film;
-    /// Scene units from the scene's eye to the sheet: where the sheet stands, and how wide it is.
+    /// Scene units from the scene's eye to the sheet; determines the sheet's place and width.
     std::optional<double> sheet_distance;
-    /// mm from the sheet to the viewer's eye. The scene's eye, and so the picture from the middle,
-    /// stays the scene's own unless move_eye is given. Nothing: where the scene's eye is.
+    /// mm from the sheet to the viewer's eye. The scene's eye, and with it the view from the
+    /// middle, stays in place unless move_eye is set. Empty: the distance of the scene's eye.
     std::optional<double> viewing_distance;
-    /// K: the scene's eye moves K mm where the viewer's moves 1 mm (optics.md section 8), 0 to 100.
-    /// Nothing: depth at the sheet is true, that is the scene's eye distance by the viewer's.
+    /// K: the scene's eye moves K mm when the viewer's moves 1 mm (optics.md section 8), 0 to 100.
+    /// Empty: the distance of the scene's eye divided by that of the viewer's eye; then depth at
+    /// the sheet is true to scale.
     std::optional<double> parallax;
-    /// Depth budgets that nine tenths of the picture may reach either side of the sheet, 0.1 to 100:
-    /// the renderer chooses sheet_distance and parallax for them, unless one is given.
+    /// Number of depth budgets on either side of the sheet for nine tenths of the picture, 0.1 to
+    /// 100: the renderer chooses sheet_distance and parallax accordingly; a given one is kept.
     std::optional<double> fit;
     bool move_eye = false; ///< the scene's eye goes to viewing_distance, along its line of sight
-    /// Width and height of the picture on paper, mm; the frame has to have print_pixels. Nothing:
-    /// as large as the frame's pixels make it.
+    /// Width and height of the picture on paper, mm; the frame must have print_pixels. Empty: the
+    /// size follows from the frame's pixels.
     std::optional<Vec2> print_size;
     std::optional<Vec2> capture_aperture; ///< mm; default: filling_aperture
     ApertureShape aperture_shape = ApertureShape::rectangle;
@@ -56,31 +57,31 @@ struct CameraParameters {
     /// default_pixel_samples.
     std::optional<int> pixel_samples;
     bool display_prefilter = false; ///< see IntegralCamera
-    /// How far the camera sees in front of the sheet (at most to the viewer) and behind it, mm;
-    /// >= 0. Nothing: from the aperture to infinity.
+    /// Range of the camera in front of the sheet (at most to the viewer) and behind it, mm; >= 0.
+    /// Empty: from the aperture to infinity.
     std::optional<Vec2> depth_range;
-    /// The scene is where the viewer sees the projected image: sheet_distance is that of the
-    /// sheet's.
+    /// The scene lies where the viewer sees the projected image; sheet_distance is the distance of
+    /// the sheet's image.
     std::optional<ProjectionWords> projection_lens;
     bool pseudoscopic = false; ///< Lippmann's single-stage capture: inverted in depth
 };
 
-/// Pixels across and down a picture of print_size (which must be given) on this film.
+/// Pixel width and height of a picture of print_size (which must be given) on this film.
 PixelSize print_pixels(const CameraParameters& parameters);
 
-/// 16 where there is an area to integrate over (the full model's lens, or a slit that has height),
-/// 4 for the display prefilter, else 1: the pole.
+/// 16 if there is an area to integrate over (the full model's lens, or a slit with a height), 4 for
+/// the display prefilter, else 1: the pole.
 int default_beam_samples(const CameraParameters& parameters);
 
 /// 4 for the display prefilter, else 1: the pixel's centre.
 int default_pixel_samples(const CameraParameters& parameters);
 
-/// Checks each value by itself. Returns a sentence for every value out of range, which names the
-/// value and what is legal; empty if all are legal.
+/// Checks each value by itself. Returns a sentence for every value out of range, with the value and
+/// its legal range; empty if all are legal.
 std::vector<std::string> find_value_errors(const CameraParameters& parameters);
 
-/// Checks each value, and if all are legal, how they go together. Returns a sentence for every
-/// fault. What depends on the frame's size or the viewpoint is left to make_camera.
+/// Checks each value and, if all are legal, their combination. Returns a sentence for every fault.
+/// make_camera checks what depends on the frame's size or the viewpoint.
 std::vector<std::string> find_errors(const CameraParameters& parameters);
 
 } // namespace integral

@@ -23,7 +23,7 @@ struct Collineation {
     double bend = 0;
 };
 
-/// Image of a point. Nothing where w <= 0: the image is infinitely far, or beyond.
+/// Image of a point. Empty if w <= 0: the image is infinitely far, or beyond.
 inline std::optional<Vec3> image_of(const Collineation& map, Vec3 point)
 {
     const double w = 1 + map.bend * point.z;
@@ -32,7 +32,7 @@ inline std::optional<Vec3> image_of(const Collineation& map, Vec3 point)
     return Vec3{map.lateral * point.x / w, map.lateral * point.y / w, map.depth * point.z / w};
 }
 
-/// z of the point whose image is at depth z. Nothing where no point has an image that deep.
+/// z of the point whose image is at depth z. Empty if no point has an image that deep.
 inline std::optional<double> preimage_depth(const Collineation& map, double z)
 {
     if (z == 0)
@@ -43,7 +43,7 @@ inline std::optional<double> preimage_depth(const Collineation& map, double z)
     return z / w;
 }
 
-/// Inverse of image_of: the point with this image. Nothing where preimage_depth has none.
+/// Inverse of image_of: the point with this image. Empty where preimage_depth is.
 inline std::optional<Vec3> preimage_of(const Collineation& map, Vec3 image)
 {
     const auto z = preimage_depth(map, image.z);
@@ -53,7 +53,7 @@ inline std::optional<Vec3> preimage_of(const Collineation& map, Vec3 image)
     return Vec3{scale * image.x, scale * image.y, *z};
 }
 
-/// Image of a line that is not parallel to z = 0. Origin: in z = 0; direction.z = 1. map.depth must
+/// Image (origin in z = 0, direction.z = 1) of a line that is not parallel to z = 0. map.depth must
 /// not be 0.
 inline Line image_of(const Collineation& map, const Line& line)
 {
@@ -63,8 +63,8 @@ inline Line image_of(const Collineation& map, const Line& line)
     return {map.lateral * at, {scale * (x - map.bend * at.x), scale * (y - map.bend * at.y), 1}};
 }
 
-/// Inverse: the line whose image is `line`, which is not parallel to z = 0. Where map.depth is 0,
-/// all lines through a point of z = 0 have one preimage. Origin: in z = 0; direction.z = 1.
+/// Inverse: the line (origin in z = 0, direction.z = 1) whose image is `line`, which is not
+/// parallel to z = 0. If map.depth is 0, all lines through a point of z = 0 have the same preimage.
 inline Line preimage_of(const Collineation& map, const Line& line)
 {
     const double x = line.direction.x / line.direction.z, y = line.direction.y / line.direction.z;
@@ -74,8 +74,8 @@ inline Line preimage_of(const Collineation& map, const Line& line)
     return {at, {scale * x + map.bend * at.x, scale * y + map.bend * at.y, 1}};
 }
 
-/// Normal (any length, same side) of the image of the plane with this normal through `point`, for a
-/// map with lateral = 1. A normal is a covector: it is multiplied by the inverse map.
+/// Maps the normal of a plane through `point` to a normal (any length, same side) of the plane's
+/// image, for a map with lateral = 1. A normal is a covector: the inverse map multiplies it.
 inline Vec3 image_of_normal(const Collineation& map, Vec3 point, Vec3 normal)
 {
     return {map.depth * normal.x, map.depth * normal.y, normal.z + map.bend * dot(normal, point)};

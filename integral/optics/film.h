@@ -23,14 +23,14 @@ struct Film {
     Subpixels subpixels = {};
 };
 
-/// Its size on paper, mm.
+/// Size on paper, mm.
 inline Vec2 size_of(const Film& film)
 {
     return {film.width * film.pixel_pitch.x, film.height * film.pixel_pitch.y};
 }
 
-/// A draft of a film: as large in mm, with one pixel for `n` x `n` (n >= 1). Where n does not
-/// divide the number of pixels, it is rounded, and the pitch is what fills the size.
+/// A draft of a film: equally large in mm, with one pixel for every n x n pixels (n >= 1). If n
+/// does not divide a number of pixels, the quotient is rounded, and the pitch keeps the size.
 inline Film draft_of(const Film& film, int n)
 {
     const auto pixels = [n](int side) { return std::max(1, (side + n / 2) / n); };

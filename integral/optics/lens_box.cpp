@@ -6,7 +6,7 @@
 namespace integral {
 
 /// Light from the film point f through a pole P meets the aperture plane at A = f + g (P - f), so
-/// that P = f - (f - A)/g. The factor g = 1 + n d/sqrt(t^2 - m |P - f|^2) is greatest for the pole
+/// P = f - (f - A)/g. The factor g = 1 + n d/sqrt(t^2 - m |P - f|^2) is greatest for the pole
 /// farthest from f.
 LensBox box_of_passing_poles(const Aperture& aperture, const Medium& medium, Vec2 film_point,
                              Vec2 centre, double radius)

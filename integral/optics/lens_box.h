@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Bounds the lenses that a search tries where the aperture is low or narrow.
+// Limits the lenses that a search tries if the aperture is low or narrow.
 #ifndef INTEGRAL_OPTICS_LENS_BOX_H
 #define INTEGRAL_OPTICS_LENS_BOX_H
 
@@ -11,18 +11,18 @@
 
 namespace integral {
 
-/// An upright rectangle of the sheet plane, mm; infinite where it has no limit.
+/// An upright rectangle of the sheet plane, mm; infinite on an unlimited side.
 struct LensBox {
     Vec2 low, high;
 };
 
-/// A box with all poles through which light of a film point passes the aperture, of those within
-/// `radius` (mm) of `centre` in x and y, in whatever direction these point.
+/// A box around all poles that lie in a square about `centre`, of half-width `radius` (mm) and
+/// turned by any angle, and through which a film point's light passes the aperture.
 LensBox box_of_passing_poles(const Aperture& aperture, const Medium& medium, Vec2 film_point,
                              Vec2 centre, double radius);
 
-/// Calls visit(LensIndex), in the order of Lattice::for_each_within, for the lenses that it visits
-/// whose poles are in the box, and perhaps for a few just beyond it. For round lenses.
+/// Calls visit(LensIndex) as Lattice::for_each_within does, but only for lenses whose poles are in
+/// the box, and perhaps for a few just beyond it. Not for lenticular sheets.
 template <class Visit>
 void for_each_within(const Lattice& lattice, Vec2 centre, double radius, const LensBox& box,
                      Visit visit)

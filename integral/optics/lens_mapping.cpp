@@ -8,9 +8,9 @@ namespace integral {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Pitches: beyond, places within a lens are lost in rounding, and counts of lenses overflow.
+/// In pitches: beyond this, rounding loses the place within a lens, and counts of lenses overflow.
 constexpr double farthest_film = 1e9;
-/// Part of the least distance between two lenses' rays at the aperture, for rounding.
+/// Margin for rounding, by which least distances between lenses' rays at the aperture are reduced.
 constexpr double limits_margin = 1e-6;
 
 Slit slit_of(const LensSheet& sheet, const Lattice& lattice, double distance)
@@ -43,10 +43,11 @@ SheetOptics::SheetOptics(const LensSheet& sheet, const Aperture& aperture, LensM
     set_neighbour_limits();
 }
 
-/// From lens to lens the point A, where a film point's ray meets the aperture plane, moves along
-/// with the pole x: (A' - A).(x' - x) >= s |x' - x|^2, s = 1 + n d/t, as A is the gradient of a
-/// function of x whose curvature is at least s. With v = (x' - x)/p the ray of the lens at x'
-/// passes the aperture only if v.A + s p |v|^2 is at most the greatest v.A' of the aperture.
+/// The point A, where a film point's ray meets the aperture plane, moves along with the pole x from
+/// lens to lens: (A' - A).(x' - x) >= s |x' - x|^2, s = 1 + n d/t, as A is the gradient of a
+/// function of x whose curvature is at least s. With v = (x' - x)/p, the ray of the lens at x'
+/// passes the aperture only if v.A + s p |v|^2 is at most the greatest v.A' of all points A' of the
+/// aperture.
 void SheetOptics::set_neighbour_limits()
 {
     const double nd = medium_.n * aperture_.distance, reach = nd + medium_.t;
@@ -104,7 +105,7 @@ inline bool SheetOptics::candidate_on_axis(const std::optional<SlitRay>& ray, Ca
     return true;
 }
 
-/// Fills in `c`; false: totally reflected, or the slit is out of reach.
+/// Fills in `c`. Returns false if the light is totally reflected or cannot reach the slit.
 bool SheetOptics::find_candidate(Vec2 film_point, LensIndex lens, Candidate& c) const
 {
     c.lens = lens;
@@ -113,7 +114,7 @@ bool SheetOptics::find_candidate(Vec2 film_point, LensIndex lens, Candidate& c) 
                        : candidate_at_pole(film_point, c);
 }
 
-/// find_candidate of the first `number` film points, side by side.
+/// find_candidate for the first `number` film points, side by side.
 void SheetOptics::find_candidates(int number, const RayRun<Vec2>& film_points,
                                   const RayRun<LensIndex>& lenses, RayRun<Candidate>& candidates,
                                   RayRun<bool>& found) const
@@ -160,11 +161,11 @@ void SheetOptics::rays_through(int number, const RayRun<Vec2>& film_points, Lens
         rays[k] = found[k] ? std::optional(complete(candidates[k])) : std::nullopt;
 }
 
-/// Of a lens whose ray need not pass the aperture itself.
+/// Rivals of the lens of `c`. The ray `c` itself need not pass the aperture.
 inline SheetOptics::Rivals SheetOptics::rivals_of(const Candidate& c) const
 {
     constexpr int unknown = 2;
-    const double steep = 0.5 * medium_.t * medium_.t; // less: rounding may exceed the margin
+    const double steep = 0.5 * medium_.t * medium_.t; // below this, rounding may exceed the margin
     if (!(c.root * c.root >= steep &&
           dot(c.aperture_point, c.aperture_point) < second_ring_limit_ * second_ring_limit_))
         return {unknown, {}};
@@ -182,7 +183,7 @@ inline SheetOptics::Rivals SheetOptics::rivals_of(const Candidate& c) const
     return rivals;
 }
 
-/// What becomes of a film point that a lens images, or none (null).
+/// Sets the result for a film point imaged by `image`, or by no lens (null).
 inline void SheetOptics::set(MappedPoint& mapped, const Candidate* image, bool searched) const
 {
     if (image)
@@ -193,9 +194,9 @@ inline void SheetOptics::set(MappedPoint& mapped, const Candidate* image, bool s
     mapped.searched = searched;
 }
 
-/// Maps a film point, which is_exact, by `closest` or `automatic`, if the ray `c` through the
-/// likely lens and, for `automatic`, that through one other are enough to tell the result. False if
-/// not.
+/// Maps a film point, for which is_exact() holds, by `closest` or `automatic` from the ray `c`
+/// through the likely lens and, for `automatic`, the ray through one other lens. Returns false if
+/// these rays do not determine the result.
 inline bool SheetOptics::settle(Vec2 film_point, LensIndex nearest, LensMapping mapping,
                                 const Candidate& c, MappedPoint& mapped) const
 {
@@ -208,7 +209,7 @@ inline bool SheetOptics::settle(Vec2 film_point, LensIndex nearest, LensMapping 
     return true;
 }
 
-/// `automatic`, where the likely lens is not the nearest, or its ray misses the aperture.
+/// settle() by `automatic`, if the likely lens is not the nearest, or its ray misses the aperture.
 bool SheetOptics::settle_between_two(Vec2 film_point, LensIndex nearest, const Candidate& c,
                                      MappedPoint& mapped) const
 {
@@ -239,7 +240,7 @@ bool SheetOptics::settle_between_two(Vec2 film_point, LensIndex nearest, const C
 MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
 {
     if (!(std::fabs(film_point.x) + std::fabs(film_point.y) <=
-          farthest_film * lattice_.pitch())) // not a number, too
+          farthest_film * lattice_.pitch())) // also true for NaN
         return {std::nullopt, Empty::outside_aperture, mapping != LensMapping::closest};
     switch (mapping) {
     case LensMapping::closest: return map_closest(film_point);
@@ -294,7 +295,7 @@ MappedPoint SheetOptics::map_closest(Vec2 film_point) const
     return mapped;
 }
 
-/// `automatic`, by its definition: closest, and accurate only where closest's check fails.
+/// `automatic`, by its definition: `closest`, and `accurate` only if `closest` finds no ray.
 MappedPoint SheetOptics::map_by_search(Vec2 film_point) const
 {
     MappedPoint mapped = map_closest(film_point);

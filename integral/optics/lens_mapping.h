@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// From a film point to its lens and the ray that leaves it (optics.md sections 3 and 4), and back.
+// Maps a film point to its lens and the ray that leaves it (optics.md sections 3 and 4), and back.
 #ifndef INTEGRAL_OPTICS_LENS_MAPPING_H
 #define INTEGRAL_OPTICS_LENS_MAPPING_H
 
@@ -15,67 +15,67 @@
 
 namespace integral {
 
-/// How a film point finds its lens (optics.md section 4).
+/// Rule by which a film point finds its lens (optics.md section 4).
 ///
-/// Searches are limited: `accurate` goes 100 pitches from the lens that sees the aperture's centre,
-/// `exhaustive` 1000 pitches from the film point. Only an aperture hundreds of lenses wide, or one
-/// that is unlimited in one direction and narrow in the other, has lenses beyond that.
+/// Searches are limited: `accurate` to 100 pitches from the point of the sheet through which the
+/// film point sees the aperture's centre, `exhaustive` to 1000 pitches from the film point. Lenses
+/// beyond that matter only for an aperture hundreds of lenses wide, or for one that is unlimited in
+/// one direction and narrow in the other.
 enum class LensMapping {
-    automatic, ///< closest, and accurate only where closest's check fails
+    automatic, ///< closest; accurate only if closest finds no ray
     closest,   ///< the lens of the nearest pole, if its ray passes the aperture (3-11)
-    accurate,  ///< of the lenses whose rays pass the aperture, the one that passes nearest to its
-               ///< centre
-    exhaustive ///< accurate by trying every lens: the oracle
+    accurate,  ///< the lens whose ray passes nearest to the aperture's centre, among those whose
+               ///< rays pass the aperture
+    exhaustive ///< accurate, by trying every lens: the tests' reference
 };
 
 /// The pole ray of a film point: its light beyond the lens's pole. Sheet frame, mm.
 struct LensRay {
     LensIndex lens;
-    Vec2 pole; ///< where it leaves, on z = 0: the lens's pole, or a point of a lenticular lens's
-               ///< axis
+    Vec2 pole;           ///< exit on z = 0: the lens's pole, or a point of a lenticular lens's axis
     Vec3 direction;      ///< unit, towards the viewer (z < 0)
-    Vec2 aperture_point; ///< where it meets the aperture plane z = -distance
+    Vec2 aperture_point; ///< intersection with the aperture plane z = -distance
 };
 
-/// Why a film point images nothing.
+/// The reason why no lens images a film point.
 enum class Empty { none, outside_aperture, total_reflection };
 
-/// What becomes of one film point.
+/// Result of mapping one film point.
 struct MappedPoint {
-    std::optional<LensRay> ray; ///< nothing: no ray is to be traced
-    Empty empty = Empty::none;  ///< the reason, if so
-    bool searched = false; ///< the nearest lens was not enough; always, by accurate and exhaustive
+    std::optional<LensRay> ray; ///< empty: no ray is to be traced
+    Empty empty = Empty::none;  ///< the reason, if there is no ray
+    bool searched = false; ///< the nearest lens did not suffice; always with accurate, exhaustive
 };
 
-/// The optics of a sheet, a film behind it and an aperture before it: immutable, and shared by
-/// every thread of a render.
+/// The optics of a sheet, a film behind it and an aperture before it: immutable, shared by all
+/// threads of a render.
 class SheetOptics {
 public:
-    /// `sheet` and `aperture` must be within the ranges of their comments; find_errors in camera.h
-    /// checks them.
+    /// `sheet` and `aperture` must be within the ranges of their comments; find_errors in
+    /// camera_parameters.h checks them.
     SheetOptics(const LensSheet& sheet, const Aperture& aperture,
                 LensModel model = LensModel::extended_pinhole);
 
-    /// Lens and ray of a film point. One farther than 10^9 pitches from the sheet's centre images
-    /// nothing.
+    /// Lens and ray of a film point. No lens images a film point more than 10^9 pitches from the
+    /// sheet's centre.
     MappedPoint map(Vec2 film_point, LensMapping mapping) const;
 
-    /// The same for the first `number` film points, neighbours at best: the results of `map`, bit
-    /// for bit, but several rays are worked out side by side, which is faster.
+    /// Calls map() for the first `number` film points, preferably neighbours. Results are the same
+    /// bit for bit, but several rays are computed side by side, which is faster.
     void map_run(int number, const RayRun<Vec2>& film_points, LensMapping mapping,
                  RayRun<MappedPoint>& mapped) const;
 
     /// The ray from a film point through one given lens, whether or not it passes the aperture.
-    /// Nothing: totally reflected, or the slit is out of reach.
+    /// Empty if the light is totally reflected or cannot reach the slit.
     std::optional<LensRay> ray_through(Vec2 film_point, LensIndex lens) const;
 
-    /// ray_through of the first `number` film points, bit for bit, worked out side by side.
+    /// Computes ray_through for the first `number` film points side by side, bit for bit the same.
     void rays_through(int number, const RayRun<Vec2>& film_points, LensIndex lens,
                       RayRun<std::optional<LensRay>>& rays) const;
 
-    /// Inverse for an eye: the film point whose light leaves the sheet at `point` (z = 0) in
+    /// Inverse of map(): the film point whose light leaves the sheet at `point` (z = 0) in
     /// `direction` (of any length, towards the viewer, z < 0), through the lens whose cell contains
-    /// `point`. The film point's beam fills the cell, so every point of the cell gives the same.
+    /// `point`. The point's beam fills the cell, so every `point` of the cell gives the same.
     Vec2 film_point_seen(Vec2 point, Vec3 direction, LensIndex* lens = nullptr) const
     {
         const LensIndex index = lattice_.nearest(point);
@@ -91,17 +91,17 @@ public:
     LensModel model() const { return model_; }
     const Aperture& aperture() const { return aperture_; }
     const Lattice& lattice() const { return lattice_; }
-    /// Between film and poles; the model's own index of refraction.
+    /// The medium between film and poles; has the model's index of refraction.
     const Medium& medium() const { return medium_; }
     /// Meaningful for a lenticular sheet only.
     const Slit& slit() const { return slit_; }
 
 private:
-    /// The pole ray of a film point through one lens, before its direction is worked out.
+    /// The pole ray of a film point through one lens, before its direction is computed.
     struct Candidate {
         LensIndex lens;
-        Vec2 pole;   ///< where it leaves, as in LensRay
-        Vec2 offset; ///< q: from the film point to there
+        Vec2 pole;   ///< exit point, as in LensRay
+        Vec2 offset; ///< q: from the film point to the exit point
         double root; ///< sqrt(t^2 - m |q|^2)
         Vec2 aperture_point;
     };
@@ -129,8 +129,9 @@ private:
     double aperture_circumradius() const;
 
     void set_neighbour_limits();
-    /// About where the film point sees the aperture's centre: pole_seeing_centre, its square root
-    /// taken by a series. The lens nearest to there is likely to image the film point.
+    /// Approximate point through which the film point sees the aperture's centre:
+    /// pole_seeing_centre with a series for the square root. The lens nearest to it is likely to
+    /// image the film point.
     Vec2 likely_pole(Vec2 film_point) const
     {
         const double nd = medium_.n * aperture_.distance;
@@ -138,15 +139,15 @@ private:
         const double inverse_root = 1 - s * (0.5 - 0.375 * s); // 1/sqrt(1 + s)
         return (nd / (nd + medium_.t * inverse_root)) * film_point;
     }
-    /// Whether a film point is so near to the centre that rounding is far below the margins of
-    /// neighbour_limits_.
+    /// Whether a film point is near enough to the centre for rounding to be far below the margins
+    /// of neighbour_limits_.
     bool is_exact(Vec2 film_point) const
     {
         return std::fabs(film_point.x) + std::fabs(film_point.y) < 1e6 * lattice_.pitch();
     }
-    /// Which other lenses' rays may pass the aperture besides one lens's.
+    /// The lenses, besides a given one, whose rays may pass the aperture.
     struct Rivals {
-        int number = 0; ///< 0: none; 1: `lens`; more: not known which
+        int number = 0; ///< 0: none; 1: `lens`; more: it is not known which
         LensIndex lens;
     };
     Rivals rivals_of(const Candidate& c) const;
@@ -165,25 +166,26 @@ private:
     bool lenticular_, slit_horizontal_;
     Aperture edges_; ///< the aperture, without limit across a slit
 
-    /// Where a lens's ray meets the aperture plane at A with direction.A < limit, the ray of the
-    /// neighbour in the opposite direction misses the aperture; and the other way round.
+    /// A lens has a neighbour at to_pole and one at -to_pole. If the lens's ray meets the aperture
+    /// plane at A, and direction.A < limit, the ray of the neighbour at -to_pole misses the
+    /// aperture; if direction.A > -limit, that of the neighbour at to_pole does.
     struct NeighbourLimit {
-        Vec2 to_pole;   ///< from a lens's pole (axis) to the neighbour's, mm
-        Vec2 direction; ///< in which A moves towards the neighbour's
+        Vec2 to_pole;   ///< from a lens's pole (axis) to a neighbour's, mm
+        Vec2 direction; ///< in which A moves from the lens to that neighbour
         double limit;
     };
-    /// Empty where no A is within all limits, and for hexagonal sheets, whose cells and apertures
-    /// differ so much in shape that few A are.
+    /// Empty if no A is within all limits, and for hexagonal sheets, whose cells and apertures
+    /// differ so much in shape that few A would be.
     std::vector<NeighbourLimit> neighbour_limits_;
     double second_ring_limit_ = 0;   ///< the limit of |A| for all lenses beyond these neighbours
-    double alone_limit_ = 0;         ///< of |A|: no other lens's ray passes nearer to the centre
+    double alone_limit_ = 0;         ///< if |A| is less, no other lens's ray is nearer the centre
     bool nearest_transmits_ = false; ///< the nearest lens never reflects light totally
     double likely_bend_ = 0;         ///< for likely_pole
 };
 
 /// The film point mirrored at a lens's pole (lenticular: at its axis). Its own inverse. A
-/// single-stage capture puts on a film point what belongs at the mirrored one, so that the sheet
-/// shows its scene inverted in depth.
+/// single-stage capture records at a film point what belongs at the mirrored point, so that the
+/// sheet shows the scene inverted in depth.
 Vec2 mirrored_in_lens(const SheetOptics& optics, Vec2 film_point, LensIndex lens);
 
 } // namespace integral

@@ -11,10 +11,11 @@ namespace integral {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// The greatest radius of a search, in lens pitches. Without it, a search would not end if the
-/// aperture is unlimited.
+/// The greatest radius of a search, in lens pitches. Without it, a search would not end for an
+/// unlimited aperture.
 constexpr double widest_search = 100;
-/// In lens pitches: within it there are so few lenses that a box around them saves nothing.
+/// A search radius in lens pitches, within which there are so few lenses that a LensBox saves
+/// nothing.
 constexpr double few_lenses = 2;
 
 } // namespace
@@ -36,9 +37,9 @@ double SheetOptics::distance_to_centre(Vec2 aperture_point) const
 /// `error` (mm).
 ///
 /// The image of the centre through a pole at distance P from the axis lies P t/sqrt(n^2 d^2 + m
-/// P^2) beyond the pole, so that |film point| is P plus that. The slope of this sum in P is at
-/// least 1, so that the residual bounds the error of P. The sum is concave, so that Newton's
-/// method, started below the solution, stays below it.
+/// P^2) beyond the pole; |film point| is P plus that. The slope of this sum in P is at least 1, so
+/// the residual bounds the error of P. The sum is concave, so Newton's method, started below the
+/// solution, stays below it.
 Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
 {
     const double radius = length(film_point);
@@ -58,21 +59,21 @@ Vec2 SheetOptics::pole_seeing_centre(Vec2 film_point, double& error) const
     return (p / radius) * film_point;
 }
 
-/// The reason why no lens shows the film point to the aperture. If the nearest lens reflects its
-/// light totally, all others do, too.
+/// The reason why no lens shows the film point to the aperture. If the nearest lens reflects the
+/// point's light totally, all other lenses do, too.
 Empty SheetOptics::why_empty(Vec2 film_point) const
 {
     return candidate(film_point, lattice_.nearest(film_point)) ? Empty::outside_aperture
                                                                : Empty::total_reflection;
 }
 
-/// Among the lenses within `radius` of `centre` whose rays pass through the aperture, the one whose
-/// ray passes nearest to the aperture's centre. The lattice's rule decides ties.
+/// The lens whose ray passes nearest to the aperture's centre, among the lenses within `radius` of
+/// `centre` whose rays pass the aperture. The lattice's rule decides ties.
 std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, Vec2 centre,
                                                                double radius) const
 {
-    // Lenses whose rays pass are needed twice: to find the least distance, then to find ties. The
-    // first few are stored in between.
+    // Lenses whose rays pass are needed twice: for the least distance, then for ties. The first few
+    // are stored in between.
     std::array<Candidate, 8> kept;
     std::size_t passing = 0;
     const bool boxed = !lenticular_ && radius > few_lenses * lattice_.pitch();
@@ -112,15 +113,15 @@ std::optional<SheetOptics::Candidate> SheetOptics::best_within(Vec2 film_point, 
 
 /// The map q -> A from lens offsets to aperture points, A = film point + q g(|q|) with
 /// g(r) = 1 + n d/sqrt(t^2 - m r^2), stretches every length by at least the smallest g. A lens
-/// whose A is within `reach` of the aperture's centre therefore has its pole within reach/g of the
-/// point that sees the centre. The search covers all lenses within that radius (but at most
-/// widest_search), and none outside.
+/// whose A is within `reach` of the aperture's centre therefore has its pole within reach/g of
+/// pole_seeing_centre(), the point whose A is that centre. The search covers all lenses within this
+/// radius (but at most widest_search), and none outside.
 MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
 {
     MappedPoint mapped;
     mapped.searched = true;
     const double nd = medium_.n * aperture_.distance;
-    double slack; // the error of the ideal pole and of rounding, mm
+    double slack; // error of the ideal pole and of rounding, mm
     const Vec2 ideal = pole_seeing_centre(film_point, slack);
     slack += 1e-7 * lattice_.pitch() + 1e-8 * length(ideal);
     double reach = aperture_circumradius() * (1 + 1e-8);
@@ -137,8 +138,8 @@ MappedPoint SheetOptics::map_accurate(Vec2 film_point) const
         return mapped;
     }
 
-    // A better lower bound of g: over the offsets whose aperture point is within `reach` of the
-    // aperture's centre.
+    // A better lower bound of g: the least g of the offsets whose aperture point is within `reach`
+    // of the aperture's centre.
     const auto stretch_at = [&](double r) {
         const double clear = clearance(medium_, {r, 0});
         return clear > 0 ? 1 + nd / std::sqrt(clear) : infinity;

@@ -14,7 +14,7 @@ std::int64_t round_to_index(double value)
     return static_cast<std::int64_t>(nearest_integer(value));
 }
 
-/// The unit vector along the lens rows. At 90 degrees it is exactly along y: the cosine of the
+/// The unit vector along the lens rows. At 90 degrees it is exactly along y, as the cosine of the
 /// double nearest to pi/2 is not 0.
 Vec2 row_direction(double slant)
 {

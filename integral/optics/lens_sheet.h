@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The lens sheet: its parameters, and the lattice on which its lenses sit.
+// The lens sheet: its parameters, and the lattice of its lenses.
 //
 // Sheet frame, everywhere in integral/: millimetres; origin at the sheet's centre on the plane
 // of the lens poles; +x to the viewer's right, +y up, +z away from the viewer into the scene.
@@ -28,16 +28,16 @@ struct LensSheet {
 /// Radius of the spherical (cylindrical) surface whose paraxial focus is the film: t (n - 1)/n.
 double surface_radius(const LensSheet& sheet);
 
-/// Which lens: column i of row j. A lenticular sheet has i alone (j = 0).
+/// Index of a lens: column i of row j. A lenticular sheet has i alone (j = 0).
 struct LensIndex {
     std::int64_t i = 0, j = 0;
     friend bool operator==(LensIndex a, LensIndex b) { return a.i == b.i && a.j == b.j; }
     friend bool operator!=(LensIndex a, LensIndex b) { return !(a == b); }
 };
 
-/// The unbounded lattice of a sheet's poles (axis lines, for a lenticular sheet).
-/// Distances that differ by less than 1e-9 pitch count as equal. Of equally distant lenses the one
-/// nearest to the sheet's centre is taken; if that is a tie too, the one of least x, then least y.
+/// The unbounded lattice of a sheet's poles (axis lines, for a lenticular sheet). Distances that
+/// differ by less than 1e-9 pitch count as equal. Among equally distant lenses, the one nearest to
+/// the sheet's centre is preferred; then the one of least x, then of least y.
 class Lattice {
 public:
     explicit Lattice(const LensSheet& sheet);
@@ -65,7 +65,7 @@ public:
     /// and perhaps for a few just beyond it.
     template <class Visit> void for_each_within(Vec2 centre, double radius, Visit visit) const;
 
-    /// Of two lenses at equal distance, whether `a` is to be taken rather than `b`.
+    /// Whether lens `a` is preferred to `b` at equal distance.
     bool preferred(LensIndex a, LensIndex b) const;
 
     double pitch() const { return pitch_; }

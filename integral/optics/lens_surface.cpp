@@ -14,7 +14,7 @@ SheetSurface::SheetSurface(const LensSheet& sheet)
         deepest_ = corner->height;
 }
 
-/// Where the line enters one lens's ball (cylinder), all of which is at z >= 0.
+/// Entry of the line into one lens's ball (cylinder), which lies entirely at z >= 0.
 std::optional<SurfacePoint> SheetSurface::intersection(LensIndex lens, Vec2 point, Vec2 slope) const
 {
     Vec2 offset = point - lattice_.pole(lens);
@@ -32,13 +32,13 @@ std::optional<SurfacePoint> SheetSurface::intersection(LensIndex lens, Vec2 poin
     return SurfacePoint{depth, offset + depth * slope};
 }
 
-/// The nearest intersection with any lens, no deeper than the surface's deepest points. A flat line
-/// passes many lenses on its way down: it is cut into pieces no longer than a pitch, each of which
-/// is tested against the few lenses near it, until one meets a lens.
+/// The nearest intersection with any lens, no deeper than the surface's deepest points. A line
+/// nearly parallel to the sheet passes many lenses before it is that deep: it is cut into pieces at
+/// most a pitch long. Each is tested against the few lenses near it, until a piece meets one.
 std::optional<SurfacePoint> SheetSurface::first_intersection(Vec2 point, Vec2 slope) const
 {
     const double aside = deepest_ * length(slope);
-    constexpr double most = 1000; // pitches; flatter lines see no film
+    constexpr double most = 1000; // pitches; lines nearer to parallel see no film
     if (!(aside < most * lattice_.pitch()))
         return std::nullopt;
     const int pieces = 1 + int(aside / lattice_.pitch());

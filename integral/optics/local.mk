@@ -34,4 +34,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/slit.h \
   integral/optics/subpixels.cpp \
   integral/optics/subpixels.h \
-  integral/optics/vec.h
+  integral/optics/vec.h \
+  integral/optics/visual_pitch.cpp \
+  integral/optics/visual_pitch.h

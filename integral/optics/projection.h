@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The lenses of a projection system (thesis 5.5, figures 5-10 and 5-12): one ideal thin lens before
-// the sheet, or an array of them side by side, which projects what the sheet replays as a magnified
-// aerial image towards the viewer.
+// the sheet, or an array of them side by side, which projects the sheet's replayed light as a
+// magnified aerial image towards the viewer.
 #ifndef INTEGRAL_OPTICS_PROJECTION_H
 #define INTEGRAL_OPTICS_PROJECTION_H
 
@@ -18,13 +18,14 @@ struct ProjectionLens {
     double focal_length = 0;   ///< > 0
     double distance = 0;       ///< from the sheet to the lens, > focal_length
     double viewer = 0;         ///< from the sheet's image to the viewer's eye, > 0
-    int columns = 1, rows = 1; ///< macro-lenses across and down, of equal rectangular outlines
-    Vec2 extent = {};          ///< width and height of all of them together; of one, any
+    int columns = 1, rows = 1; ///< macro-lenses across and down, all with the same rectangular
+                               ///< outline
+    Vec2 extent = {};          ///< width and height of the whole array; any for a single lens
 
     double magnification() const { return focal_length / (distance - focal_length); }
     double image_distance() const { return distance * magnification(); }
 
-    /// From the sheet frame to the image frame, for one lens with its middle on the axis: the thin
+    /// Maps the sheet frame to the image frame, for one lens with its middle on the axis: the thin
     /// lens's equation.
     Collineation image() const
     {
@@ -32,9 +33,9 @@ struct ProjectionLens {
         return {-m, m * m, 1 / (distance - focal_length)};
     }
 
-    /// How far before the sheet the viewer's eye has its image by the lens: less than `distance`.
+    /// Distance from the sheet to the lens's image of the viewer's eye: less than `distance`.
     double eye_image_distance() const { return distance - eye_image_beside(); }
-    /// The size of that image by that of the eye; it is upside down.
+    /// Size of that image divided by the eye's size; the image is upside down.
     double eye_scale() const { return eye_image_beside() / (image_distance() + viewer); }
 
     /// The middle of the macro-lens at a point of the lenses' plane.
@@ -44,7 +45,7 @@ struct ProjectionLens {
     }
 
 private:
-    double eye_image_beside() const ///< from the lens towards the sheet
+    double eye_image_beside() const ///< distance of that image from the lens, towards the sheet
     {
         const double eye = image_distance() + viewer;
         return focal_length * eye / (eye - focal_length);
@@ -59,10 +60,9 @@ private:
     }
 };
 
-/// The line in the image frame, into the scene, along which light travels that leaves the sheet
-/// (sheet frame) through `sheet_point` in its plane and meets the lens at `lens_point`: the lens
-/// brings all light of a sheet's point together in its image. Origin: in the plane of the image;
-/// direction.z = 1.
+/// The line, in the image frame and directed into the scene, of the light that leaves the sheet's
+/// plane at `sheet_point` (sheet frame) and meets the lens at `lens_point`. All light of a sheet
+/// point comes together in the point's image: the origin, in the image's plane. direction.z = 1.
 inline Line projected(const ProjectionLens& lens, Vec2 sheet_point, Vec2 lens_point)
 {
     const Vec2 middle = lens.middle_at(lens_point), from = sheet_point - middle,
@@ -72,7 +72,7 @@ inline Line projected(const ProjectionLens& lens, Vec2 sheet_point, Vec2 lens_po
     return line;
 }
 
-/// Inverse: where a line in the image frame (direction.z not 0) comes from.
+/// Inverse: the sheet and lens points of a line in the image frame (direction.z not 0).
 struct ProjectedFrom {
     Vec2 sheet_point, lens_point;
 };

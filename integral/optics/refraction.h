@@ -33,8 +33,8 @@ inline double clearance(const Medium& medium, Vec2 q)
     return (medium.t - root) * (medium.t + root);
 }
 
-/// Unit direction towards the viewer (z < 0) of light from the film at pole - q, for a clearance >
-/// 0 whose square root is `root`.
+/// Unit direction towards the viewer (z < 0) of light from the film at pole - q, for a clearance
+/// > 0 whose square root is `root`.
 inline Vec3 refracted_at_pole(const Medium& medium, Vec2 q, double root)
 {
     const double inverse_length = 1 / std::sqrt(dot(q, q) + medium.t * medium.t);
@@ -42,7 +42,7 @@ inline Vec3 refracted_at_pole(const Medium& medium, Vec2 q, double root)
     return {lateral * q.x, lateral * q.y, -root * inverse_length};
 }
 
-/// The same for any q; nothing where the light is totally reflected.
+/// The same for any q; empty if the light is totally reflected.
 inline std::optional<Vec3> direction_from_offset(const Medium& medium, Vec2 q)
 {
     const double e = clearance(medium, q);

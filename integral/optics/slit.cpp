@@ -7,8 +7,8 @@ namespace integral {
 
 namespace {
 
-/// The error that a step of Newton's method leaves is about change^2/(distance to the end of the
-/// interval). The search ends where that is less than this part of the root.
+/// A step of Newton's method leaves an error of about change^2/(distance to the end of the
+/// interval). The search ends when that error is less than this fraction of the root.
 constexpr double slit_settled = 1e-17;
 
 /// The foot of a film point on a line of the lens parallel to its axis.
@@ -38,8 +38,8 @@ struct PoleEquation {
     /// Whether there is a root: H changes its sign between -end and end.
     bool has_root() const { return std::fabs(lateral) < g * end; }
 
-    /// An approximation of the root: of third order in tau, with series in place of quotients where
-    /// E is little less than t^2.
+    /// An approximation of the root, of third order in tau. Uses series in place of quotients,
+    /// which are accurate if E is little less than t^2.
     double start(double root_clear, double t) const
     {
         const double inverse_t2 = 1 / (t * t), inverse_reach = 1 / (t + nd), inverse_g = 1 / g;
@@ -58,7 +58,7 @@ struct PoleEquation {
         return ((alpha + g * tau) * s + nd * (g * tau + lateral)) * s2 /
                (g * s * s2 + nd * (g * clear + m * lateral * tau));
     }
-    /// Whether no step is needed after one by `change`, which led to tau.
+    /// Whether the step by `change` that led to tau needs no further step.
     bool settled(double change, double tau) const
     {
         return change * change <= slit_settled * std::fabs(tau) * (end - std::fabs(tau));
@@ -88,7 +88,7 @@ struct Equation {
     }
 };
 
-/// Nothing where no light reaches the plane from inside, or none leaves it towards the viewer.
+/// The equation; empty if no light reaches the plane from inside or leaves it towards the viewer.
 std::optional<Equation> equation_of(const Slit& slit, const Medium& medium, Vec2 foot, double h,
                                     double eta, const TangentPlane& plane)
 {
@@ -112,12 +112,12 @@ std::optional<Equation> equation_of(const Slit& slit, const Medium& medium, Vec2
     return equation;
 }
 
-/// The greatest |tau|: `limit`, where total reflection starts, or where C = 0 if that comes first.
-/// Nothing if H is not below 0 at -end and above 0 at end. If it is, H has one root only: it rises
-/// throughout, except perhaps next to an end, where it has that end's sign.
+/// The greatest |tau|, `end`: `limit`, where total reflection starts, or where C = 0 if that comes
+/// first. Empty unless H is below 0 at -end and above 0 at end. If it is, H has one root only: H
+/// rises throughout, except perhaps next to an end, where it has that end's sign.
 std::optional<double> end_of(const Equation& equation, double root_e, double limit)
 {
-    const double floor = equation.n * equation.k * equation.sine; // C > 0 demands S cosine > floor
+    const double floor = equation.n * equation.k * equation.sine; // C > 0 needs S cosine > floor
     if (floor < 0) {
         if (equation.g_value(-limit, 0) < 0 && equation.g_value(limit, 0) > 0)
             return limit;
@@ -139,7 +139,7 @@ class PoleSearch {
 public:
     static constexpr int usual_steps = 2;
 
-    /// To be called once, before the first step. `foot`: of the film point whose ray is searched.
+    /// To be called once, before the first step. `foot`: the foot of the film point.
     void begin(const Slit& slit, const Medium& medium, const Foot& foot, double eta)
     {
         const double clear = clearance(medium, {foot.h, 0});
@@ -157,7 +157,7 @@ public:
         tau_ = equation_.start(root_clear, medium.t);
     }
 
-    /// Takes a step, unless the search has ended.
+    /// Does one step, unless the search has ended.
     void step()
     {
         if (!going_on_)
@@ -172,7 +172,7 @@ public:
         going_on_ = !found_;
     }
 
-    /// Takes the remaining steps. False if they are too few: solve_in_bracket is to be used.
+    /// Does the remaining steps. Returns false if they do not suffice: use solve_in_bracket then.
     bool settles()
     {
         constexpr int most_steps = 5;
@@ -185,15 +185,15 @@ public:
     double s() const { return equation_.root(tau_); } ///< S at tau
 
 private:
-    PoleEquation equation_; ///< not set if nothing is refracted, or all light is reflected; then no
-                            ///< step is taken
+    PoleEquation equation_; ///< not set if nothing is refracted, or all light is reflected; then
+                            ///< there is no step
     double tau_ = 0;
     int steps_ = 0;
     bool going_on_ = false, found_ = false;
 };
 
 /// The ray that leaves the lens at the offset tau from `foot`, in the direction `refracted`.
-/// `line`: a point of the line that it leaves from; `distance`: from there to the aperture plane.
+/// `line`: a point of the line on which it leaves; `distance`: from there to the aperture plane.
 inline SlitRay ray_from(const Slit& slit, double n, const Foot& foot, Vec2 line, double tau,
                         double eta, double distance, Vec3 refracted)
 {
@@ -219,7 +219,7 @@ inline SlitRay ray_from(const Slit& slit, double n, const Foot& foot, Vec2 line,
     return ray;
 }
 
-/// The same of light that is refracted in the plane of the poles.
+/// The same for light that is refracted in the plane of the poles.
 inline SlitRay ray_from_pole(const Slit& slit, const Medium& medium, const Foot& foot, Vec2 on_axis,
                              const PoleSearch& search, double eta)
 {
@@ -228,8 +228,8 @@ inline SlitRay ray_from_pole(const Slit& slit, const Medium& medium, const Foot&
                     {lateral.x, lateral.y, -search.s()});
 }
 
-/// solve_slit where PoleSearch does not settle, or the light is refracted elsewhere than in the
-/// plane of the poles: Newton's method within a bracket.
+/// solve_slit if PoleSearch does not settle, or the light is refracted elsewhere than in the plane
+/// of the poles: Newton's method within a bracket.
 std::optional<double> solve_in_bracket(const Slit& slit, const Medium& medium, Vec2 foot, double h,
                                        double eta, const TangentPlane& plane)
 {
@@ -272,7 +272,7 @@ std::optional<double> solve_in_bracket(const Slit& slit, const Medium& medium, V
             break;
         if (!(tau > low && tau < high) || (step > soon && step % 3 == 0))
             tau = 0.5 * (low + high);
-        if (!(tau > low && tau < high)) // nothing lies between any more
+        if (!(tau > low && tau < high)) // no number left in between
             break;
     }
     return std::clamp(tau, -end, end);

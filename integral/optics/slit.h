@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The slit of a lenticular sheet: where along its axis a cylinder lens passes a film point's light.
+// The slit in a lenticular sheet's aperture. It determines the point on a cylinder lens's axis
+// where a film point's light leaves the lens.
 #ifndef INTEGRAL_OPTICS_SLIT_H
 #define INTEGRAL_OPTICS_SLIT_H
 
@@ -11,8 +12,9 @@
 
 namespace integral {
 
-/// A cylinder lens has no power along its axis; the ray from a film point is fixed by the slit
-/// e.A = eta in the aperture plane at `distance`. Plain geometry, in the sheet frame.
+/// A cylinder lens has no power along its axis; a film point's ray is fixed by the slit: it meets
+/// the aperture plane, at `distance`, at a point A with e.A = eta. All vectors are in the sheet
+/// frame.
 struct Slit {
     Vec2 axis;   ///< a, unit, along the lens axes; signed so that dot(normal, axis) > 0
     Vec2 across; ///< b, unit, perpendicular to the axes
@@ -28,13 +30,13 @@ inline double signed_height(const Slit& slit, double height)
 }
 
 /// Offset tau (mm) along the axis, from `foot` to the point through which the light leaves. `foot`
-/// is the foot of the film point on a line of the lens, parallel to its axis; `h` is the signed
-/// distance from the film point to that line along `across`. `plane`, at which the light is
-/// refracted, contains the line. eta = e.A.
+/// is the foot of the perpendicular from the film point to a line of the lens, parallel to the
+/// axis; `h` is the signed distance from the film point to that line along `across`. `plane`, at
+/// which the light is refracted, contains the line. eta = e.A.
 ///
 /// tau is the one root of G (optics.md section 3) between the two offsets at which total reflection
-/// starts or the light ceases to go towards the viewer. Nothing if G does not change sign between
-/// them: the slit cannot be reached. For light that leaves at the axis, that is |h| >= t g /
+/// starts or the light ceases to go towards the viewer. Empty if G does not change sign between
+/// them: the slit cannot be reached. For light that leaves at the axis, this is so if |h| >= t g /
 /// sqrt(m).
 std::optional<double> solve_slit(const Slit& slit, const Medium& medium, Vec2 foot, double h,
                                  double eta = 0, const TangentPlane& plane = {});
@@ -45,26 +47,26 @@ bool reaches_slit(const Slit& slit, const Medium& medium, Vec2 foot, double h, d
 
 /// A film point's light through a line of a cylinder lens and through the slit.
 struct SlitRay {
-    Vec2 point;          ///< where it leaves, at z = height of the tangent plane
-    Vec2 offset;         ///< from the film point to there
-    Vec3 refracted;      ///< its direction beyond the lens times |(offset, t - height)|; z < 0
-    Vec2 aperture_point; ///< where it meets the aperture plane; e.A is eta exactly
+    Vec2 point;          ///< exit, at z = height of the tangent plane
+    Vec2 offset;         ///< from the film point to the exit
+    Vec3 refracted;      ///< direction beyond the lens times |(offset, t - height)|; z < 0
+    Vec2 aperture_point; ///< intersection with the aperture plane; e.A is eta exactly
 };
 
-/// `on_axis`: any point of the lens's axis; the line is plane.v from it along `across`.
-/// Nothing where solve_slit gives nothing.
+/// `on_axis`: any point of the lens's axis; the line is plane.v (mm) from the axis along `across`.
+/// Empty if solve_slit is.
 std::optional<SlitRay> slit_ray(const Slit& slit, const Medium& medium, Vec2 film_point,
                                 Vec2 on_axis, double eta = 0, const TangentPlane& plane = {});
 
-/// How many rays are worked out side by side; and a value for each of them.
+/// Number of rays that are computed side by side; RayRun holds a value for each of them.
 constexpr int run_length = 8;
 template <class T> using RayRun = std::array<T, run_length>;
 
-/// slit_ray of the first `number` film points, each through the axis and with the eta of the same
-/// number, with refraction in the plane of the poles: the same results, bit for bit. A single ray
-/// is a chain of some fifteen square roots and quotients, each of which waits for the one before.
-/// Here every step is taken for all rays before the next, so that the processor works on several
-/// chains at once.
+/// Computes slit_ray for the first `number` film points, each through its own axis and with its own
+/// eta, with refraction in the plane of the poles. Results are bit for bit the same. A single ray
+/// is a chain of some fifteen square roots and quotients, and each waits for the one before. Here
+/// every step is done for all rays before the next step, so that several chains are computed at
+/// once.
 void slit_rays(const Slit& slit, const Medium& medium, int number, const RayRun<Vec2>& film_points,
                const RayRun<Vec2>& on_axes, const RayRun<double>& etas,
                RayRun<std::optional<SlitRay>>& rays);

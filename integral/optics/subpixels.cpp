@@ -19,7 +19,7 @@ bool same_layout(const Subpixels& a, const Subpixels& b)
 
 namespace {
 
-/// The number of different cells that a pattern distinguishes.
+/// The number of different cells in a pattern.
 int period(CellPattern pattern)
 {
     switch (pattern) {
@@ -45,7 +45,7 @@ Subpixels mirrored(const Subpixels& subpixels, int columns, int rows, bool x, bo
     case Subpixels::vbgr: result.order = y ? Subpixels::vrgb : Subpixels::vbgr; break;
     case Subpixels::cells:
         // The mirror image of a pattern is the same pattern with its cells in another order. One
-        // pixel of each cell shows which cell comes there.
+        // pixel of each cell determines that order.
         result.number = period(subpixels.pattern);
         for (int row = 0; row < 4; ++row)
             for (int column = 0; column < 2; ++column) {

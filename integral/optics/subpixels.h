@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Subpixels: at which position in a pixel each colour is lit.
+// Subpixels: the positions of the colours in a pixel.
 #ifndef INTEGRAL_OPTICS_SUBPIXELS_H
 #define INTEGRAL_OPTICS_SUBPIXELS_H
 
@@ -13,11 +13,11 @@ namespace integral {
 /// the right, +y up; -1 to 1.
 using PixelCell = std::array<Vec2, 3>;
 
-/// Which of the panel's cells a pixel has, by its column and row counted from the top left. The
+/// Assigns a cell of the panel to each pixel, by its column and row counted from the top left. The
 /// result is taken modulo the number of cells.
 enum class CellPattern {
     same,         ///< cell 0 everywhere
-    checkerboard, ///< 0 where column + row is even, else 1
+    checkerboard, ///< 0 if column + row is even, else 1
     columns,      ///< column modulo 2
     rows,         ///< row modulo 2
     staggered     ///< row + 2 (column modulo 2), modulo 4
@@ -73,8 +73,8 @@ struct PixelPlace {
     int column, row;
 };
 
-/// The pixel whose subpixel of a colour is nearest to a point in pixel coordinates; it may be
-/// outside the film.
+/// The pixel whose subpixel of a colour is nearest to a point in pixel coordinates; the pixel may
+/// be outside the film.
 PixelPlace pixel_of_nearest_subpixel(const Subpixels& subpixels, Vec2 pixel, int channel);
 
 } // namespace integral

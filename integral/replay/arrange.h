@@ -9,27 +9,27 @@
 
 namespace integral {
 
-/// Width and height, in mm, of the viewing zone at `distance` mm: the capture aperture scaled to
-/// that distance, but no larger than what fills the lens on the axis (or, if no aperture does, than
-/// twice the distance).
+/// Width and height, in mm, of the viewing zone at `distance` mm: the capture aperture's, scaled to
+/// that distance. Each side is limited to the aperture that just fills the lens on the axis or, if
+/// no aperture fills the lens, to twice the distance.
 Vec2 viewing_zone(const FrameMetadata& metadata, double distance);
 
-/// Two eyes `separation` mm apart, left and right of `middle`, as a viewer's are, whatever the
-/// lenses.
+/// Two eyes `separation` mm apart, left and right of `middle`, as a viewer's are, even for lenses
+/// that lie across (horizontal cylinders).
 std::vector<Eye> eye_pair(Eye middle, double separation);
 
 /// columns x rows eyes, row by row from the top left, at the centres of equal parts of the
 /// rectangle `zone` (width and height in mm) about `middle`.
 std::vector<Eye> eye_grid(Eye middle, int columns, int rows, Vec2 zone);
 
-/// The eyes of a contact sheet of columns x rows pictures: eye_grid over the viewing zone. A single
-/// row of pictures of lenses that lie across has its eyes above each other, the lowest first: side
-/// by side all would see the same.
+/// The eyes of a contact sheet of columns x rows pictures: eye_grid over the viewing zone. For a
+/// single row and lenses that lie across, the eyes are above each other, the lowest first; eyes
+/// side by side would all see the same.
 std::vector<Eye> contact_sheet_eyes(const FrameMetadata& metadata, Eye middle, int columns,
                                     int rows);
 
-/// The path of a moving eye, for upright lenses. Where lenses lie across, turntable, sweep and sway
-/// go upwards in place of to the right, and the turntable's axis is horizontal.
+/// The path of a moving eye, for upright lenses. If the lenses lie across, turntable, sweep and
+/// sway go upwards instead of to the right, and the turntable's axis is horizontal.
 enum class EyePath {
     turntable, ///< an arc about the sheet's vertical axis, from left to right, as if the sheet
                ///< turned; span in degrees, < 180
@@ -42,10 +42,9 @@ enum class EyePath {
 };
 
 /// `steps` > 0 positions of the eye at equal steps (dolly: equal ratios) along a path through
-/// `middle`, or for a circle about it. The last position of circle and sway is one step
-/// before the first.
-/// Default span: the width of the viewing zone (its height if `upwards`); for a circle and sway 0.8
-/// of the zone; for dolly 4.
+/// `middle` (circle: around `middle`). For circle and sway, the last position is one step before
+/// the first. Default span: the width of the viewing zone (its height if `upwards`); for a circle
+/// and sway 0.8 of the zone; for dolly 4.
 std::vector<Eye> eye_path(EyePath path, Eye middle, Vec2 zone, std::optional<double> span,
                           int steps, bool upwards = false);
 

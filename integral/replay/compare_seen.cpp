@@ -32,7 +32,7 @@ std::vector<Eye> eyes_of(const SeenEyes& request, const FrameMetadata& metadata)
                                                : 3);
 }
 
-/// The result with the reference's pixels where those are ignored.
+/// The result, with ignored pixels replaced by the reference's.
 Frame without_ignored(const Frame& reference, const Frame& result, const ComparisonRules& rules)
 {
     const auto weights = settings_of(rules, reference, result).weights;
@@ -64,7 +64,7 @@ View view_of(Eye eye, const FrameMetadata& metadata, double pitch)
     return view;
 }
 
-/// What an eye sees of a frame in the place of another, of which the view is.
+/// The picture of a frame in a given view, with the blur of the frame's own lenses.
 Image seen_of(const Frame& frame, View view)
 {
     view.blur = 0;
@@ -72,7 +72,7 @@ Image seen_of(const Frame& frame, View view)
     return *replay(frame, view);
 }
 
-/// Whether eyes see the same of two frames: their samples and geometry are equal.
+/// Whether two frames look the same to all eyes: their samples and geometry are equal.
 bool same_to_eyes(const Frame& a, const Frame& b)
 {
     return same_form(a.image, b.image) && a.image.samples == b.image.samples &&
@@ -80,7 +80,7 @@ bool same_to_eyes(const Frame& a, const Frame& b)
 }
 
 /// The width of a view's pixel on the sheet, mm: a 60th of a degree, but no less than the film's
-/// pixels, which are all that there is to see.
+/// pixels, as there is nothing finer to see.
 double view_pitch(Eye eye, const Film& film)
 {
     return std::max(eye.distance * std::tan(radians_per_degree / 60),
@@ -114,21 +114,21 @@ std::vector<float> lumas(const Image& view)
     return values;
 }
 
-/// Follows details of one view through those of other eyes, in which they lie moved along one axis
-/// in proportion to the eye's way. A pixel of the views is at least a lens wide, as finer details
-/// are not seen.
+/// Follows details of one view through the views of other eyes. Between views, a detail moves along
+/// one axis in proportion to the eye's way. A pixel of the views is at least a lens wide, because
+/// finer details are not visible.
 class DetailSearch {
 public:
     static constexpr int half = 4; ///< of a detail's side, pixels
 
-    /// A view from another eye, and the eye's way there as part of the whole way.
+    /// A view from another eye, and the way to that eye as a part of the whole way.
     struct Step {
         Image view;
         double way;
     };
 
-    /// `steps`: in the order of the way, whose end is 1. `reach`: the greatest movement in the
-    /// first step, pixels. `upwards`: details move along the columns.
+    /// `steps`: sorted by `way`; the last `way` is 1. `reach`: the greatest movement in the first
+    /// step, pixels. `upwards`: details move along the columns.
     DetailSearch(const Image& from, const std::vector<Step>& steps, int reach, bool upwards)
         : width_(from.width),
           height_(from.height),
@@ -140,8 +140,8 @@ public:
             to_.push_back({lumas(step.view), step.way});
     }
 
-    /// The movement over the whole way, in pixels, of the detail about (x, y); empty where it has
-    /// no texture along the axis, lies at the edge, or is not found in each view.
+    /// The movement over the whole way, in pixels, of the detail about (x, y); empty if the detail
+    /// has no texture along the axis, or is not found in each view.
     std::optional<double> movement(int x, int y) const
     {
         double texture = 0;
@@ -169,7 +169,7 @@ private:
         double way;
     };
 
-    /// The movement to one view, within `reach` of the expected one; empty if it is not found.
+    /// The movement to one view, less than `reach` from the expected one; empty if none matches.
     std::optional<double> movement_to(const std::vector<float>& to, int x, int y, int expected,
                                       int reach, double texture) const
     {
@@ -213,9 +213,9 @@ Vec2 sheet_place(const View& view, const Film& film, double x, double y)
 
 double along(Eye eye, bool upwards) { return upwards ? eye.y : eye.x; }
 
-/// The eyes on the way across the lenses that is longest, in order: at one distance, at one height
-/// (for lenses that lie across, one above the other), of those nearest to the middle. Fewer than
-/// two if no two eyes lie so.
+/// The eyes on the longest way across the lenses, in order. They have one distance and one height
+/// (for lenses that lie across, one x). Of equally long ways, takes the nearest to the middle.
+/// Fewer than two if no two eyes are on such a way.
 std::vector<Eye> way_across(const std::vector<Eye>& eyes, bool upwards)
 {
     std::vector<Eye> longest;
@@ -247,7 +247,7 @@ double median_of(std::vector<double> values)
     return *middle;
 }
 
-/// How the movement of details from one eye's view to another's differs between the frames.
+/// The difference between the frames in the movement of details from one eye's view to another's.
 std::optional<ParallaxDifference> parallax_difference(const Frame& reference, const Frame& result,
                                                       const std::vector<Eye>& eyes)
 {
@@ -270,7 +270,7 @@ std::optional<ParallaxDifference> parallax_difference(const Frame& reference, co
     const DetailSearch in_reference = search(reference), in_result = search(result);
     const double mm = upwards ? -size_of(metadata.film).y / view.height // rows count downwards
                               : size_of(metadata.film).x / view.width;
-    // A point z behind the sheet moves on it by base z/(distance + z).
+    // A point z behind the sheet is seen to move on the sheet by base z/(distance + z).
     const auto depth = [&](double moved) { return distance * moved / (base - moved); };
     std::vector<double> differences, depths;
     ParallaxDifference found;
@@ -298,7 +298,8 @@ std::optional<ParallaxDifference> parallax_difference(const Frame& reference, co
     return found;
 }
 
-/// Where two views differ most: the middle of the square whose squared differences are greatest.
+/// The place where two views differ most: the middle of the square with the greatest sum of squared
+/// differences.
 Vec2 worst_place(const Image& a, const Image& b, const View& view, const Film& film)
 {
     const int side = std::max(8, std::max(view.width, view.height) / 24);

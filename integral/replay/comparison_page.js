@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What the replay page shows of two frames: a line between their views, both side by side, their
-// difference, either, or both in turn.
+// Shows two frames on the replay page: divided by a line, side by side, as their difference, one
+// alone, or both in turn.
 
 const shown_words = {
   line: "Left of the line is the reference, right of it the result.",
@@ -13,7 +13,7 @@ const shown_words = {
 
 class Comparison {
   shown = "line";
-  at = 0.5;      // the line: part of the view's width
+  at = 0.5;      // the line's place, as a part of the view's width
   timer = 0;     // of blinking
   second = false; // which is shown while blinking
 
@@ -45,13 +45,13 @@ class Comparison {
     });
   }
 
-  // As the address's fragment says, `show` and the line's place.
+  // Starts with `show` and the line's place, both from the address's fragment.
   begin(show, at) {
     this.at = at;
     this.show(shown_words[show] ? show : "line");
   }
 
-  // A button or key: blinking is ended by its own.
+  // Handles a button or key; choosing "blink" again ends blinking.
   choose(show) {
     this.show(show === "blink" && this.shown === "blink" ? "line" : show);
   }

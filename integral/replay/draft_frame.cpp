@@ -11,7 +11,7 @@ namespace {
 
 constexpr double most_pixels = 40e6;
 
-/// The lenses that image the pixels of a film, row by row.
+/// The lens that images each pixel of a film, row by row.
 class PixelLenses {
 public:
     PixelLenses(const FrameMetadata& metadata, int threads)
@@ -44,9 +44,9 @@ private:
     std::vector<std::optional<LensIndex>> lenses_;
 };
 
-/// The light at a place (pixel coordinates) that `lens` images: bilinear between those of the four
-/// nearest pixels that it images, too; else that of the nearest such pixel of 5 x 5, which a corner
-/// of a lens may need; that of the pixel there if there is none.
+/// The light at a place (pixel coordinates) that `lens` images: bilinear between the four nearest
+/// pixels, leaving out pixels of other lenses. If none of the four is left, as in a lens's corner,
+/// takes the lens's nearest pixel within 5 x 5, else the pixel at the place.
 Colour light_at(const LinearReader& pixel, const PixelLenses& lenses, const Film& film, Vec2 place,
                 LensIndex lens)
 {

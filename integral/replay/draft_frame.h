@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Shows a draft as the print of finer pixels will look.
+// Converts a draft to the finer pixels of the final print.
 #ifndef INTEGRAL_REPLAY_DRAFT_FRAME_H
 #define INTEGRAL_REPLAY_DRAFT_FRAME_H
 
 #include "integral/base/parallel.h"
-#include "integral/lightfield/frame.h"
+#include "integral/frame/frame.h"
 
 namespace integral {
 
-/// Whether a frame with metadata is a draft of finer pixels (RenderRecord::draft > 1) without
+/// Whether a frame's metadata mark it as a draft (RenderRecord::draft > 1), and its film has no
 /// subpixels.
 bool is_draft(const Frame& frame);
 
-/// A draft on the pixels of its final frame, or, where those are more than 40 million, on as fine
-/// ones as that allows. Each is interpolated between the draft's pixels that the same lens images,
-/// so that nothing is mixed across the border of two lenses. The metadata are those of the finer
-/// film, without `draft`. `threads`: 0 for one per core. Nothing if `progress` stopped the work.
+/// Resamples a draft on the pixels of its final frame or, if these are more than 40 million, on the
+/// finest pixels within that number. Each new pixel is interpolated between draft pixels that the
+/// same lens images, so that nothing is mixed across the border of two lenses. The metadata
+/// describe the finer film, with `draft` = 1. `threads`: 0 for one per core. Returns nothing if
+/// `progress` stopped the work.
 std::optional<Frame> with_final_pixels(const Frame& draft, int threads = 0,
                                        const Progress& progress = {});
 

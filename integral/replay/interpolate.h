@@ -4,7 +4,7 @@
 #define INTEGRAL_REPLAY_INTERPOLATE_H
 
 #include "integral/base/parallel.h"
-#include "integral/lightfield/image.h"
+#include "integral/frame/image.h"
 #include "integral/optics/film.h"
 
 #include <algorithm>
@@ -43,8 +43,8 @@ template <class At> Colour each_channel(const Subpixels& subpixels, At at)
     return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
 }
 
-/// Draws rows of a film from `first` on, as many as the band is high: at(film_point, x, y) gives the
-/// light of a pixel, or of one of its subpixels. `threads` and `progress` as in for_each_row.
+/// Draws rows of a film from `first` on, as many as the band is high. at(film_point, x, y) gives
+/// the light of a pixel, or of one of its subpixels. `threads` and `progress` as in for_each_row.
 template <class At>
 bool draw_film(const Film& film, int first, Image& band, int threads, const Progress& progress,
                At at)
@@ -61,8 +61,8 @@ bool draw_film(const Film& film, int first, Image& band, int threads, const Prog
 }
 
 /// The colour that the film's subpixels of a channel show at a point in pixel coordinates:
-/// interpolated between the four nearest subpixels, or that of the nearest one for patterns of
-/// cells, which form no regular grid.
+/// interpolated between the four nearest of them; or, for patterns of cells, which form no regular
+/// grid, the colour of the nearest.
 inline Colour of_subpixels(const LinearReader& light, const Film& film, Vec2 pixel, int channel)
 {
     if (film.subpixels == Subpixels::cells) {

@@ -6,21 +6,11 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/arrange.h \
   integral/replay/compare_seen.cpp \
   integral/replay/compare_seen.h \
-  integral/replay/depth_page.cpp \
-  integral/replay/depth_page.h \
-  integral/replay/depth_picture.cpp \
-  integral/replay/depth_picture.h \
-  integral/replay/fit_part.cpp \
-  integral/replay/fit_part.h \
   integral/replay/draft_frame.cpp \
   integral/replay/draft_frame.h \
-  integral/replay/frame_of_shares.cpp \
-  integral/replay/frame_of_shares.h \
+  integral/replay/fit_part.cpp \
+  integral/replay/fit_part.h \
   integral/replay/interpolate.h \
-  integral/replay/parallel_views.cpp \
-  integral/replay/parallel_views.h \
-  integral/replay/perspective_views.cpp \
-  integral/replay/perspective_views.h \
   integral/replay/replay.cpp \
   integral/replay/replay.h \
   integral/replay/replay_files.cpp \
@@ -29,15 +19,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/replay_page.h \
   integral/replay/replay_series.cpp \
   integral/replay/replay_series.h \
-  integral/replay/rgbd.cpp \
-  integral/replay/rgbd.h \
   integral/replay/suite_comparators.cpp \
-  integral/replay/suite_comparators.h \
-  integral/replay/view_files.cpp \
-  integral/replay/view_files.h \
-  integral/replay/view_lenses.cpp \
-  integral/replay/view_lenses.h \
-  integral/replay/views_loss.cpp
+  integral/replay/suite_comparators.h
 
 # The interactive page's own files, as C++ strings named like them: replay_page.html is replay_page_html.
 replay_page_files = \

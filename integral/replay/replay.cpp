@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/replay.h"
 
-#include "integral/lightfield/lens_profile.h"
-#include "integral/lightfield/sample_points.h"
 #include "integral/optics/lens_surface.h"
 #include "integral/replay/fit_part.h"
+#include "integral/sampling/lens_profile.h"
+#include "integral/sampling/sample_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@ Eye centre_eye(const FrameMetadata& metadata)
 
 namespace {
 
-/// Diameter, mm, of a uniform spot as wide as the one on the film from which the curved lenses
-/// gather the light of one direction: the mean square over the lens on the axis.
+/// Diameter, mm, of a uniform disc with the root mean square width of the spot on the film from
+/// which a curved lens gathers the light of one direction (mean over the lens on the axis).
 double aberration_spot(const LensSheet& sheet)
 {
     constexpr int points = 64, places = 8;
@@ -58,7 +58,7 @@ void set_view_size(View& view, const Film& film, int longer)
 
 namespace {
 
-/// What the eye sees at a point of the sheet: linear, premultiplied.
+/// The light that the eye sees at a point of the sheet: linear, premultiplied.
 class SheetSeen {
 public:
     SheetSeen(const Frame& frame, const View& view)
@@ -75,8 +75,8 @@ public:
     {
     }
 
-    /// At a point of the sheet, from a point `eye` of the pupil's plane, `aside` of the film point
-    /// that is seen.
+    /// The light at a point of the sheet, from a point `eye` of the pupil's plane. `aside`: offset
+    /// from the film point that is seen.
     Colour at(Vec2 point, Vec2 eye, Vec2 aside) const
     {
         const auto film_point = projection_ ? film_point_projected(point, eye)
@@ -91,19 +91,21 @@ public:
     }
 
 private:
-    /// The same at a point of the sheet's image, through the projection lens; nothing beside it.
+    /// The film point that is seen at a point of the sheet's image, through the projection lens;
+    /// nothing if the line of sight misses that lens.
     std::optional<Vec2> film_point_projected(Vec2 image, Vec2 eye) const
     {
         const Vec2 slope = (1 / distance_) * (image - eye);
         const ProjectedFrom from = projected_from(*projection_,
                                                   {{image.x, image.y, 0}, {slope.x, slope.y, 1}});
-        // Of a lenticular sheet the aperture is not the lens, which is large enough.
+        // The aperture is the projection lens's. For a lenticular sheet it is a slit instead, and
+        // the lens is large enough.
         if (!lenticular_ && !contains(optics_.aperture(), from.lens_point))
             return std::nullopt;
         return film_point_seen(from.sheet_point, from.lens_point, projection_->distance);
     }
 
-    /// `eye`: `distance` before the sheet.
+    /// The film point that is seen at a point of the sheet from `eye`, `distance` in front of it.
     std::optional<Vec2> film_point_seen(Vec2 point, Vec2 eye, double distance) const
     {
         if (refracts_at_surface(optics_.model()))
@@ -111,11 +113,11 @@ private:
         const Vec3 direction{eye.x - point.x, eye.y - point.y, -distance}; // to the eye
         // All light that this lens sends in that direction comes from one point of the focal plane.
         const Vec2 focus = optics_.film_point_seen(point, direction);
-        // If the film is not there, what is seen lies on the line from the lens's point to it.
+        // If the film is elsewhere, the point seen lies on the line from the lens's point to focus.
         return focus + gap_parts_ * (focus - point);
     }
 
-    /// Each colour channel of its own nearest subpixel; their pixels' mean alpha.
+    /// Each colour channel from its own nearest subpixel; their pixels' mean alpha.
     Colour subpixels_at(Vec2 pixel) const
     {
         const auto nearest = [&](int channel) {
@@ -139,12 +141,11 @@ private:
     Colour outside_;
 };
 
-/// Points of a disc, spread evenly over the samples of a pixel and otherwise than in the pixels
-/// around it.
+/// Points of a disc, spread evenly over the samples of a pixel and differently in each pixel.
 class DiscPoints {
 public:
-    /// `steps`: of the two coordinates from sample to sample, in parts of the whole. `seed` shifts
-    /// one disc's against another's.
+    /// `steps`: increments of the two coordinates (0 to 1) from sample to sample. `seed` shifts one
+    /// disc's points against another's.
     DiscPoints(Vec2 centre, double diameter, Vec2 steps, std::uint64_t seed)
         : centre_(centre), radius_(0.5 * diameter), steps_(steps), seed_(seed)
     {
@@ -172,14 +173,13 @@ private:
 
 constexpr Vec2 roberts_steps{0.75487766624669276, 0.56984029099805327}; // Roberts (2018)
 constexpr Vec2 richtmyer_steps{
-    0.41421356237309505, 0.73205080756887729}; // of sqrt(2) and sqrt(3): another plane than those
+    0.41421356237309505, 0.73205080756887729}; // sqrt(2) and sqrt(3) modulo 1: unlike Roberts's
 
 struct SamplePlaces {
     std::vector<double> across, down; ///< mm on the sheet
 };
 
-/// The places of the samples of a view's pixels: evenly spread, the same in each row and each
-/// column.
+/// The coordinates of the columns and rows of a view's samples on the sheet, evenly spaced.
 SamplePlaces sample_places(const View& view, const SheetPart& part)
 {
     // The view's pixels, as a film of their own over its part of the sheet.
@@ -202,8 +202,8 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
     const Vec2 eye{view.eye.x, view.eye.y};
     const DiscPoints pupil(eye, view.pupil, roberts_steps, 0),
         spot({0, 0}, view.blur, richtmyer_steps, std::uint64_t(1) << 32);
-    // Where the line from a point of the pupil to the point in focus meets the sheet: so much of
-    // the way to it, sideways.
+    // From a pupil point offset by v from the pupil's centre, the point in focus is seen through
+    // the sheet point offset by `sideways` v.
     const double sideways = view.focus / (view.eye.distance + view.focus);
     Image image = blank_like(frame.image, view.width, view.height);
 

@@ -4,7 +4,7 @@
 #define INTEGRAL_REPLAY_REPLAY_H
 
 #include "integral/base/parallel.h"
-#include "integral/lightfield/frame.h"
+#include "integral/frame/frame.h"
 
 namespace integral {
 
@@ -43,9 +43,9 @@ struct View {
 /// The eye at the aperture's centre, from which the frame shows the scene's perspective picture.
 Eye centre_eye(const FrameMetadata& metadata);
 
-/// What a person sees of a print rather than a point does: sets the pupil of an indoor eye, and as
-/// blur the spot on the film from the lenses' aberrations (LensModel::full) and, unless the film has
-/// subpixels, from the spread of printed dots. Values that are not 0 are kept.
+/// Sets the view to what a person sees of a print: the pupil of an indoor eye, and a blur that
+/// combines the lenses' aberrations (LensModel::full) with, unless the film has subpixels, the
+/// spread of printed dots. Keeps values that are not 0.
 void set_as_seen(View& view, const FrameMetadata& metadata);
 
 /// Samples across a pixel that a view needs by default: more with a pupil or blur.
@@ -60,12 +60,12 @@ inline int default_samples(const View& view)
 void set_view_size(View& view, const Film& film, int longer);
 
 /// The view of a frame that has metadata. The picture has the frame's sample type, encoding and
-/// alpha channel. It is black (transparent) where the line of sight misses the film or no light of
-/// the film reaches the eye.
+/// alpha channel; it is black (or transparent) where the line of sight misses the film or no light
+/// of the film reaches the eye.
 /// - A sample of the view gets the colour of one film pixel, without interpolation. On a film with
-///   subpixels each colour channel has such pixels, one pixel wide and centred at its own
-///   subpixels, as an eye sees that does not resolve the subpixels; alpha is the mean over the
-///   channels' pixels. The film's edges are the same for all channels.
+///   subpixels each colour channel comes from the pixel whose subpixel of that colour is nearest,
+///   as for an eye that does not resolve the subpixels; alpha is the mean over these pixels. The
+///   film's edges are the same for all channels.
 /// - With a pupil, each sample of a pixel uses another point of the pupil; with blur, another point
 ///   of the spot.
 /// - The model full needs a sheet with a surface (has_surface).

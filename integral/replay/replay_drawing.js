@@ -7,7 +7,7 @@ const split_number = (v) => [Math.floor(v), v - Math.floor(v)];
 const film_size_of = ({ film }) => [film.width * film.pixel_pitch_mm[0], film.height * film.pixel_pitch_mm[1]];
 const slant_of = ({ sheet }) => (sheet.slant_degrees ?? 0) * Math.PI / 180;
 
-// Unit vectors across the lenses and along them: exact where the lenses lie across.
+// Unit vectors across the lenses and along them: exact for a slant of 90 or -90 degrees.
 function lens_axes(geometry) {
   const slant = slant_of(geometry);
   const across = Math.abs(geometry.sheet.slant_degrees) === 90 ? [0, Math.sign(slant)] : [Math.cos(slant), Math.sin(slant)];
@@ -16,7 +16,7 @@ function lens_axes(geometry) {
 
 const row_spacing_of = ({ sheet }) => sheet.arrangement === "hexagonal" ? Math.sqrt(3) / 2 : 1;
 
-// By columns or rows of a view of `part`, as replay_page.glsl says. `axis` 0: columns.
+// The texels of `columns` (`axis` 0) or `rows` in replay_page.glsl, for a view of `part`.
 function view_steps(geometry, part, axis, count) {
   const { sheet, film } = geometry, { across, along } = lens_axes(geometry), offset = sheet.offset_mm ?? [0, 0];
   const texels = new Float32Array(8 * count);
@@ -32,7 +32,7 @@ function view_steps(geometry, part, axis, count) {
   return texels;
 }
 
-// One triangle that covers what is drawn.
+// One triangle that covers the viewport.
 const covering_triangle = `#version 300 es
   void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); }`;
 
@@ -50,21 +50,23 @@ const difference_shader = `#version 300 es
 
 // Units of textures: film, light, columns, rows for the replay; two views for their difference.
 class ReplayDrawing {
-  // `gl`: a WebGL 2 context. `shader`: replay_page.glsl. Throws Error with a sentence where the
-  // graphics driver cannot.
-  constructor(gl, shader) {
-    this.gl = gl;
-    gl.enable(gl.SCISSOR_TEST);
-    this.replay = this.program(shader);
-    this.difference = this.program(difference_shader);
-    this.films = [];
-    const linear = (v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
-    this.light = gl.createTexture();
-    this.floats(this.light, gl.R32F, gl.RED, 256, 1, Float32Array.from({ length: 256 }, (_, v) => linear(v / 255)));
+    // `gl`: a WebGL 2 context. `shader`: replay_page.glsl. Throws Error with a sentence if the
+    // graphics driver refuses a shader.
+    constructor(gl, shader)
+    {
+        this.gl = gl;
+        gl.enable(gl.SCISSOR_TEST);
+        this.replay = this.program(shader);
+        this.difference = this.program(difference_shader);
+        this.films = [];
+        const linear = (v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
+        this.light = gl.createTexture();
+        this.floats(this.light, gl.R32F, gl.RED, 256, 1,
+                    Float32Array.from({length : 256}, (_, v) => linear(v / 255)));
   }
 
   // Loads a frame: { geometry, picture, ior }, with an <img> of a data URI. `tile`: the greatest
-  // side of a texture. `loaded` is called with the part that is loaded and returns a promise.
+  // side of a texture. `loaded` gets the share loaded so far, 0 to 1, and returns a promise.
   async add(frame, tile, loaded) {
     const { gl } = this;
     const film = { ...frame, texture: gl.createTexture(), columns: gl.createTexture(), rows: gl.createTexture() };
@@ -139,7 +141,7 @@ class ReplayDrawing {
     this.cover([0, 0], 0, this.size[0]);
   }
 
-  // Fills the canvas with the page's ground.
+  // Fills the canvas with the page's background colour.
   clear(width, height) {
     const { gl } = this;
     gl.scissor(0, 0, width, height);
@@ -207,7 +209,7 @@ class ReplayDrawing {
     gl.uniform1f(at("m"), (ior - 1) * (ior + 1));
   }
 
-  // The frame's file, out of the page's text, piece by piece.
+  // Decodes the frame's file from the page's text, piece by piece.
   async file(picture, loaded) {
     const text = picture.src, begin = text.indexOf(",") + 1, piece = 1 << 22; // a multiple of 4
     const pieces = [];
@@ -218,8 +220,8 @@ class ReplayDrawing {
     return new Blob(pieces, { type: "image/png" });
   }
 
-  // A frame's stored values, bit by bit, in tiles that the graphics processor can hold. Returns the
-  // tiles' size.
+  // Loads a frame's stored values, exact to the bit, in tiles that the graphics processor can hold.
+  // Returns the tiles' size.
   async fill({ geometry, picture, texture }, tile, loaded) {
     const { gl } = this, { film } = geometry, blob = await this.file(picture, loaded);
     const most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), tile);

@@ -9,7 +9,7 @@ bool replay_files(const std::vector<std::string>& paths, const ReadFrame& read, 
     if (paths.size() == 1)
         return replay_pictures(first, request, take, progress);
     const std::vector<Eye> eyes = eyes_of(request, *first.metadata);
-    request.movement.reset(); // it goes on from frame to frame
+    request.movement.reset(); // replaced by one eye for each frame
     const int count = int(paths.size());
     for (int k = 0; k < count; ++k) {
         const Frame frame = k == 0 ? std::move(first) : read(paths[std::size_t(k)]);

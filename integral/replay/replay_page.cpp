@@ -5,9 +5,9 @@
 #include "integral/base/number_text.h"
 #include "integral/compare/compare_geometry.h"
 #include "integral/compare/seen.h"
+#include "integral/frame/names.h"
 #include "integral/io/codecs.h"
 #include "integral/io/markup.h"
-#include "integral/lightfield/names.h"
 #include "integral/replay/arrange.h"
 
 #include <nlohmann/json.hpp>
@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the page's script is given about the first view.
+/// Data of the first view for the page's script.
 Json start_of(const View& start, const FrameMetadata& metadata)
 {
     const Vec2 zone = viewing_zone(metadata, metadata.aperture.distance);
@@ -65,7 +65,7 @@ std::string page_picture(const Frame& frame)
     return base64(encode_png(picture));
 }
 
-/// The page without the pieces of what it shows. `with_comparison`: with the script for two frames.
+/// The page without the pieces of its frames. `with_comparison`: with the script for two frames.
 std::string page_shell(bool with_comparison, const PageAdditions& additions)
 {
     const auto mark = [](const char* name) {
@@ -105,7 +105,7 @@ Frame as_film(const Frame& picture)
     return frame;
 }
 
-/// The part that shows both films whole; empty where they have one size, give or take half a pixel.
+/// The part that shows both films whole; empty if their sizes differ by at most half a pixel.
 SheetPart part_of_both(const Film& a, const Film& b)
 {
     const Vec2 size_a = size_of(a), size_b = size_of(b);

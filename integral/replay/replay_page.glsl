@@ -1,10 +1,10 @@
 #version 300 es
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What an eye sees of a frame through its lens sheet: replay.cpp's SheetSeen and DiscPoints,
-// lens_sheet.cpp's Lattice and refraction.h's extended pinhole, for a processor of 32 bit numbers.
-// A coordinate that would lose its last bits in those is a whole part and a part beside it; the
-// whole parts and steps come from replay_page.js, which has 64 bits. Lengths in mm, in the sheet
-// frame; "view" is the canvas, "film" the frame.
+// Draws a frame as an eye sees it through its lens sheet: replay.cpp's SheetSeen and DiscPoints,
+// lens_sheet.cpp's Lattice and refraction.h's extended pinhole, for a graphics processor with
+// 32-bit numbers. Coordinates that need more bits are split into a whole part and a fraction by
+// replay_drawing.js, which has 64-bit numbers. Lengths in mm, in the sheet frame; "view" is the
+// canvas, "film" the frame.
 precision highp float;
 precision highp int;
 precision highp sampler2D;
@@ -23,9 +23,10 @@ uniform vec2 centre_to_lens;      // from the sheet's centre to lens (0, 0): alo
 uniform float thickness, n_squared, m; // m: n^2 - 1
 uniform float past_focus;              // the film's distance behind the lenses' focus, in thicknesses
 
-// By the view's columns and rows, at their left and upper edges. (i, 0): whole and other part of
-// their share of the lattice coordinate along `across` (in pitches), the same for `along` (in row
-// spacings). (i, 1): whole and other part of the film's pixel coordinate; mm in the sheet frame.
+// Coordinates of the left edges of the view's columns, and of the upper edges of its rows. Texel
+// (i, 0): whole part and fraction of the column's or row's share of the lattice coordinate along
+// `across` (in pitches), then along `along` (in row spacings). Texel (i, 1): whole part and
+// fraction of the film's pixel coordinate; then mm in the sheet frame.
 uniform sampler2D columns, rows;
 uniform vec2 view_pixel; // mm
 uniform int view_height;
@@ -34,8 +35,8 @@ uniform ivec2 corner; // the view's lower left pixel on the canvas
 uniform vec2 eye;
 uniform float eye_distance;
 uniform float pupil_radius, spot_radius; // spot: where a point of a lens gathers light on the film
-uniform float sideways; // a line from a point of the pupil to the point in focus crosses the sheet at
-                        // this fraction of the point's offset from the pupil's centre
+uniform float sideways; // from a pupil point offset by v from the pupil's centre, the point in
+                        // focus is seen through the sheet point offset by `sideways` v
 uniform int samples;    // across and down
 uniform bool raw;       // show the film without lenses
 
@@ -44,7 +45,7 @@ out vec4 shown;
 const float tie = 1e-6; // pitches; smaller differences are within single precision's rounding
 
 // The rule for two poles at equal distance: returns whether to take the first. `difference` is the
-// first less the second. All from the sheet's centre, along `across` and `along`, in pitches.
+// first minus the second. All from the sheet's centre, along `across` and `along`, in pitches.
 bool preferred(vec2 first, vec2 second, vec2 difference)
 {
     float nearer = dot(difference, first + second) / (length(first) + length(second));
@@ -54,8 +55,8 @@ bool preferred(vec2 first, vec2 second, vec2 difference)
     return abs(on_sheet.x) > tie ? on_sheet.x < 0.0 : on_sheet.y < 0.0;
 }
 
-// From a point of the sheet to the pole (lenticular: the axis) of the nearest lens, mm. The point's
-// lattice coordinates are whole + part, part in [0, 1).
+// The vector from a point of the sheet to the pole (lenticular: the axis) of the nearest lens, mm.
+// The point's lattice coordinates are whole + part, part in [0, 1).
 vec2 to_nearest_pole(vec2 whole, vec2 part)
 {
     vec2 best, best_pole;
@@ -83,7 +84,7 @@ vec2 to_nearest_pole(vec2 whole, vec2 part)
     return pitch * (best.x * across + best.y * along);
 }
 
-// From a point of the sheet to the film point whose light comes from it to the eye, mm. With v from
+// The vector from a point of the sheet to the film point that the eye sees there, mm. With v from
 // the point to the eye, and d the eye's distance, offset_from_direction is t v/(|v, d| sqrt(m +
 // (d/|v, d|)^2)) = t v/sqrt(m v^2 + n^2 d^2).
 vec2 film_point_seen(vec2 to_pole, vec2 to_eye)
@@ -103,8 +104,8 @@ vec4 light_of(ivec2 pixel)
     return vec4(stored.a * linear, stored.a);
 }
 
-// Each colour channel of its own nearest stripe. `part`: of the film's pixel coordinate across, in
-// [0, 1).
+// Each colour channel from its own nearest stripe. `part`: fraction of the film's pixel coordinate
+// across, in [0, 1).
 vec4 stripes_at(ivec2 pixel, float part)
 {
     float shift = subpixels == 1 ? 1.0 / 3.0 : -1.0 / 3.0; // subpixel_shift of blue; red's is the opposite
@@ -115,8 +116,8 @@ vec4 stripes_at(ivec2 pixel, float part)
     return vec4(red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3.0);
 }
 
-// What the eye sees from a point of its pupil at a place in a pixel of the view, `inside` [0, 1) of
-// it from its upper left, `aside` of the film point that is seen.
+// The light that the point `from` of the eye's pupil receives from a place in a pixel of the view.
+// `inside`: the place, in [0, 1) from the pixel's upper left; `aside`: offset from the film point.
 vec4 seen(ivec2 view, vec2 inside, vec2 from, vec2 aside)
 {
     vec4 column = texelFetch(columns, ivec2(view.x, 0), 0), row = texelFetch(rows, ivec2(view.y, 0), 0);
@@ -129,8 +130,7 @@ vec4 seen(ivec2 view, vec2 inside, vec2 from, vec2 aside)
         vec2 part = column.yw + row.yw + vec2(dot(across, moved), dot(along, moved) / row_spacing) / pitch;
         vec2 carry = floor(part);
         vec2 to_pole = to_nearest_pole(column.xz + row.xz + carry, part - carry);
-        // A film beside the focus is met where the line from the lens's point to the focus meets
-        // it.
+        // A film out of focus is met where the line from the lens's point to the focus crosses it.
         film_step += (1.0 + past_focus) * film_point_seen(to_pole, from - vec2(column_place.z, row_place.z) - moved) + aside;
     }
     vec2 pixel = vec2(column_place.y, row_place.y) + vec2(film_step.x, -film_step.y) / pixel_pitch;
@@ -141,7 +141,7 @@ vec4 seen(ivec2 view, vec2 inside, vec2 from, vec2 aside)
     return subpixels == 0 ? light_of(ivec2(place)) : stripes_at(ivec2(place), pixel.x - carry.x);
 }
 
-// random_bits of pixel_sampler.h: 64 bit numbers as (high, low).
+// random_bits of sample_points.h: 64-bit numbers as (high, low).
 uvec2 sum(uvec2 a, uvec2 b)
 {
     uint low = a.y + b.y;
@@ -168,8 +168,7 @@ uvec2 scrambled(uvec2 v)
 
 uvec2 random_bits(uvec2 seed, uint value) { return scrambled(seed ^ scrambled(uvec2(0, value))); }
 
-// DiscPoints::point about 0: its coordinates are counted in 2^-32, and run over as parts of a whole
-// do.
+// DiscPoints::point about 0: its coordinates are in units of 2^-32 and wrap around at 1.
 vec2 disc_point(float radius, uvec2 bits, uvec2 steps, int index)
 {
     const float unit = 1.0 / 4294967296.0, turn = 6.28318530717958647692;

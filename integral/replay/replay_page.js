@@ -17,9 +17,9 @@ const farthest = 1e9; // greatest distance of the eye
 const within = (v, least, greatest) => Math.min(greatest, Math.max(least, v));
 
 // The view: initially as in the page's data, replaced by the values in the address's fragment, and
-// changed by the user.
-// Fields: eye [x, y, distance], pupil, focus, gap, blur, part [x, y, width, height], size, raw; from
-// the fragment only: samples, bare, tile. `contain`: size or part are the fragment's.
+// changed by the user. Fields: eye [x, y, distance], pupil, focus, gap, blur, part [x, y, width,
+// height], size, raw; from the fragment only: samples, bare, tile. `contain`: whether the fragment
+// gives the size or the part.
 let state;
 
 function numbers(text, count) {
@@ -59,14 +59,15 @@ function focus_before_eye() {
   state.focus = Math.max(state.focus, -0.99 * state.eye[2]);
 }
 
-// Samples per pixel, as for the command: more with a pupil or blur, unless the page's data give a
-// number.
+// Samples across a pixel: the fragment's number, or the page's data's as long as the pupil and blur
+// are on or off as in the first view; else as for the command, more with a pupil or blur.
 function samples() {
   const scattered = (view) => view.pupil > 0 || view.blur > 0;
   return state.samples || (scattered(state) === scattered(start) ? start.samples : scattered(state) ? 8 : 3);
 }
 
-// Width and height of the zone in which the eye moves, mm; for a slit the height equals the width.
+// Width and height of the zone in which the eye moves, mm; a zone of size 0 in one direction (a
+// slit) gets equal sides.
 function zone(distance) {
   const scale = distance / aperture.distance_mm, [w, h] = start.zone;
   const width = w || h || 0.4 * aperture.distance_mm;
@@ -82,10 +83,10 @@ function move_eye(x, y) {
 const quick = 4; // samples across a pixel while the eye moves, at most
 const gap = 8;   // between two views side by side
 let gl, drawing, ready = false, drawn = "", pending = 0, settling = 0, moving = false;
-let views = [1, 1]; // side by side, and above each other
+let views = [1, 1]; // number side by side, and above each other
 
-// The part that a view of `size` pixels shows of the sheet so that `part` is in it unstretched: a
-// larger one, beyond the sheet's edges too, where the shapes differ by more than 1% (fit_part.h).
+// The part of the sheet that a view of `size` pixels shows so that it contains `part` unstretched:
+// larger, beyond the sheet's edges too, if the shapes differ by more than 1% (fit_part.h).
 function contained(part, size) {
   const [x, y, width, height] = part, wider = width / height * size[1] / size[0];
   const scale = Math.max(...size) / Math.max(width, height);
@@ -95,14 +96,14 @@ function contained(part, size) {
   return wider > 1 ? [x, y, width, height * wider] : [x, y, width / wider, height];
 }
 
-// Says how much is loaded, 0 to 1, and lets the browser show it and answer to the reader.
+// Shows the loaded part, 0 to 1, and lets the browser draw it and respond to the user.
 function loaded(part) {
   element("loading").textContent = `Loading the picture ... ${Math.round(100 * part)} %`;
   return new Promise((done) => setTimeout(done));
 }
 
-// Each view has the size in the fragment or in the page's data, or else fits the window. Two side by
-// side lie so that they are large.
+// Each view has the size in the fragment or in the page's data, or else fits the window. Two views
+// are side by side or above each other, whichever makes them larger.
 function fit() {
   const dots = devicePixelRatio || 1, most = gl.getParameter(gl.MAX_TEXTURE_SIZE), beside = comparison?.shown === "beside";
   let size = state.size, part = state.part;
@@ -130,7 +131,7 @@ function fit() {
   drawing.set_view(size, part);
 }
 
-// What is drawn of a frame. Each frame has its own lenses' blur, unless the fragment gives one.
+// The view of a frame. Each frame has its own lenses' blur, unless the fragment gives one.
 function view_of(index) {
   const blur = index > 0 && state.blur === start.blur ? start.second_blur : state.blur;
   return { ...state, blur, samples: moving ? Math.min(quick, samples()) : samples() };
@@ -359,7 +360,7 @@ function give_up(why) {
   trouble(why + " Below is the frame as it is on the film.");
 }
 
-// The eye goes to a place, as to the worst one.
+// Moves the eye to a place, such as the worst one.
 function visit(eye) {
   state.eye = [...eye];
   changed();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Opens the comparison of a pair within the report of a suite: the page's text, which all share, is
-// filled in with the pair's pieces and shown in a frame.
+// Opens the comparison of a pair within the report of a suite: fills the pair's pieces into the
+// page's text, which all pairs share, and shows the page in a frame.
 "use strict";
 (() => {
 const data = (id) => JSON.parse(document.getElementById(id).textContent);

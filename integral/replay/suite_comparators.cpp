@@ -35,7 +35,7 @@ std::string data_element(const std::string& id, const std::string& json)
            "</script>\n";
 }
 
-/// The pieces of a pair's comparison as JSON; empty where one of the files cannot be read.
+/// The pieces of a pair's comparison as JSON; empty if one of the files cannot be read.
 std::string pieces_of(const SuitePair& pair, const SuiteFolders& folders)
 {
     try {
@@ -49,7 +49,7 @@ std::string pieces_of(const SuitePair& pair, const SuiteFolders& folders)
         for (const auto& [name, piece] : comparison_pieces(pictures))
             json[name] = piece;
         return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    } catch (const InputError&) { // which the comparison noted as a fault
+    } catch (const InputError&) { // the comparison has noted this as a fault
         return "";
     }
 }
@@ -59,7 +59,7 @@ std::string pieces_of(const SuitePair& pair, const SuiteFolders& folders)
 void add_comparators(Suite& suite, std::size_t limit)
 {
     std::size_t number = 0, used = 0;
-    bool is_full = false; // from the first pair on that finds no room
+    bool is_full = false; // from the first pair on that does not fit
     for (SuitePair& pair : suite.pairs) {
         if (pair.passed() || pair.missing() || pair.state == PairState::damaged)
             continue;

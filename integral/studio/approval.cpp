@@ -27,9 +27,9 @@ std::string file_stamp(const SuiteFolders& folders, const std::string& name)
     return stamp;
 }
 
-/// Of "/picture/K" or "/picture/K/WORD": K and WORD.
+/// K and WORD in "/picture/K" or "/picture/K/WORD".
 struct PicturePath {
-    std::size_t number = 0; ///< 0: it is no such path
+    std::size_t number = 0; ///< 0: the path is of another form
     std::string word;
 };
 
@@ -119,7 +119,7 @@ ServerAnswer Approval::decide(std::size_t index, bool accept, const ServerReques
         }
     }
     item.decision = accept ? Decision::accepted : Decision::rejected;
-    // On to the next that is undecided, or to the list.
+    // Go on to the next undecided picture, or to the list.
     std::string next = request.base + "/";
     for (std::size_t k = 1; k < items_.size(); ++k) {
         const std::size_t other = (index + k) % items_.size();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A suite's pictures that did not pass are looked at in a browser, and each is accepted or
-// rejected.
+// Lets a user look at a suite's failed pictures in a browser, and accept or reject each.
 #ifndef INTEGRAL_STUDIO_APPROVAL_H
 #define INTEGRAL_STUDIO_APPROVAL_H
 
@@ -20,7 +19,7 @@ enum class Decision { none, accepted, rejected };
 struct ApprovalItem {
     const SuitePair* pair = nullptr;
     Decision decision = Decision::none;
-    std::string stamp; ///< of its files when they were last shown (file_stamp)
+    std::string stamp; ///< of its files when last shown (file_stamp)
 };
 
 struct ApprovalCounts {
@@ -29,13 +28,13 @@ struct ApprovalCounts {
 
 ApprovalCounts counts_of(const std::vector<ApprovalItem>& items);
 
-/// Answers for a Server: "/" lists the pictures, "/picture/K" shows one (K from 1) with the
-/// comparison's page, and posting to "/picture/K/accept", "/picture/K/reject" or "/finish" does
-/// that. No file is named by a path. Accepting does what accept_results does, at once; it is
-/// refused where a file has changed since it was shown.
+/// Answers requests to a Server: "/" lists the pictures, "/picture/K" shows one (K from 1) with the
+/// comparison's page, and a POST to "/picture/K/accept", "/picture/K/reject" or "/finish" carries
+/// out the command. No path names a file. Accepting calls accept_results at once, but is refused if
+/// a file has changed since it was shown.
 class Approval {
 public:
-    /// `suite` has been compared, and must live on. `accepted` is called as accept_results does.
+    /// `suite` must have been compared and must outlive this. `accepted`: for accept_results.
     Approval(const Suite& suite, Accepted accepted);
 
     /// May be called by several threads at once.
@@ -50,7 +49,7 @@ private:
 
     const Suite& suite_;
     Accepted accepted_;
-    mutable std::mutex mutex_; ///< of items_, and of what accepting changes
+    mutable std::mutex mutex_; ///< guards items_ and everything that accepting changes
     std::vector<ApprovalItem> items_;
     std::atomic<bool> ended_ = false;
 };

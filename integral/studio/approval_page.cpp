@@ -14,7 +14,7 @@ form { margin: 0 0 16px; }
 button { font: inherit; padding: 6px 14px; cursor: pointer; }
 )css";
 
-// The colours are those of the replay page.
+// Uses the colours of the replay page.
 constexpr char bar_style[] = R"css(
 #approval { background: var(--panel); border-bottom: 1px solid var(--line); padding: 8px 16px; }
 #approval .row { display: flex; flex-wrap: wrap; gap: 8px 12px; align-items: center;
@@ -28,8 +28,8 @@ constexpr char bar_style[] = R"css(
 #approval .keys { color: var(--quiet); }
 )css";
 
-// An arrow key on the picture or a slider is theirs. A key that is held does nothing again, so that
-// it decides about one picture.
+// Arrow keys act on the picture or slider that has the focus. Repeats of a held key are ignored, so
+// that one keypress decides about one picture only.
 constexpr char key_script[] = R"js(
 document.addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.altKey || event.metaKey || event.repeat)
@@ -71,7 +71,7 @@ std::string post_button(const std::string& to, const char* key, const std::strin
            key + "\">" + text + "</button></form>";
 }
 
-/// What accepting does to the reference.
+/// The button's text: the effect of accepting on the reference.
 std::string accept_words(const SuitePair& pair)
 {
     return !pair.has_result      ? "Accept that it is gone (a)"
@@ -106,12 +106,12 @@ std::string bar(const ApprovalItem& item, std::size_t index, std::size_t count,
     return html + "</div>\n</nav>\n";
 }
 
-/// A picture of a pair if it can be read.
+/// A picture of a pair, if it can be read.
 std::optional<Frame> read_if_there(bool is_there, const std::string& path)
 {
     try {
         return is_there ? std::optional(read_frame(path)) : std::nullopt;
-    } catch (const InputError&) { // which the comparison noted as a fault
+    } catch (const InputError&) { // noted as a fault by the comparison
         return std::nullopt;
     }
 }

@@ -7,20 +7,20 @@
 
 namespace integral {
 
-/// All pictures with their outcomes and decisions, and the button that ends.
+/// The page with all pictures, their outcomes and decisions, and the button that finishes.
 std::string approval_list(const Suite& suite, const std::vector<ApprovalItem>& items,
                           const ServerRequest& request);
 
-/// One picture, number `index` of `count` from 0: the comparison's page below a bar with the
-/// buttons.
+/// The page of one picture, number `index` of `count` from 0: a bar with the buttons above the
+/// comparison's page.
 std::string approval_picture(const SuiteFolders& folders, const ApprovalItem& item,
                              std::size_t index, std::size_t count, const ServerRequest& request);
 
-/// Why a decision was not carried out.
+/// The page with the reason why a decision was not carried out.
 std::string approval_refusal(const std::string& name, const std::string& why, std::size_t index,
                              const ServerRequest& request);
 
-/// What is shown at the end.
+/// The page after the end.
 std::string approval_end(const ApprovalCounts& counts, const ServerRequest& request);
 
 /// "2 accepted, 1 rejected, 0 undecided".

@@ -3,6 +3,7 @@
 
 #include "integral/base/file_bytes.h"
 #include "integral/base/interrupt.h"
+#include "integral/base/programs.h"
 
 #include <httplib.h>
 
@@ -14,11 +15,8 @@
 #include <thread>
 #include <vector>
 
-#include <spawn.h>
 #include <sys/random.h>
 #include <sys/socket.h>
-
-extern char** environ;
 
 namespace integral {
 namespace {
@@ -39,7 +37,7 @@ std::string random_word()
     return word;
 }
 
-/// Whether two texts are equal, in a time that does not tell where they differ.
+/// Whether two texts are equal, in a time independent of the place of a difference.
 bool equal_in_constant_time(const std::string& a, const std::string& b)
 {
     if (a.size() != b.size())
@@ -50,7 +48,7 @@ bool equal_in_constant_time(const std::string& a, const std::string& b)
     return difference == 0;
 }
 
-/// The headers that keep an answer's page apart from all other pages.
+/// Sets the headers that isolate an answer's page from other pages.
 void set_headers(httplib::Response& response, const std::string& nonce)
 {
     response.set_header("Content-Security-Policy",
@@ -85,7 +83,7 @@ struct Server::State {
         return host == loopback + at || host == "localhost" + at;
     }
 
-    /// Why a request is refused; empty if it is not.
+    /// The reason for refusing a request; empty if it is accepted.
     std::string refusal(const httplib::Request& request) const
     {
         if (request.get_header_value_count("Host") != 1 ||
@@ -126,7 +124,7 @@ Server::Server(int port, Answer answer) : state_(std::make_unique<State>())
     s.answer = std::move(answer);
     s.http.set_keep_alive_max_count(1); // so that no idle connection delays the end
     s.http.set_payload_max_length(most_content);
-    // Not SO_REUSEPORT, by which a second server would get part of the requests.
+    // Not SO_REUSEPORT, with which a second server would get some of the requests.
     s.http.set_socket_options([](auto socket) {
         const int yes = 1;
         setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -170,7 +168,7 @@ void Server::run(const std::function<bool()>& ended)
     const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(50)); };
     while (!ended() && !interrupted() && !failed)
         wait();
-    while (!state_->http.is_running() && !failed) // stop() needs it to be listening
+    while (!state_->http.is_running() && !failed) // stop() requires a listening server
         wait();
     if (!failed)
         state_->http.stop();
@@ -181,10 +179,7 @@ bool open_in_browser(const std::string& address)
 {
     if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))
         return false;
-    std::vector<std::string> words = {"xdg-open", address};
-    std::vector<char*> arguments = {words[0].data(), words[1].data(), nullptr};
-    pid_t process;
-    return posix_spawnp(&process, "xdg-open", nullptr, nullptr, arguments.data(), environ) == 0;
+    return start_program({"xdg-open", address}).process > 0;
 }
 
 } // namespace integral

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Serves pages to a browser on this machine, and to nobody else.
+// Serves pages to a browser on this machine only.
 #ifndef INTEGRAL_STUDIO_SERVER_H
 #define INTEGRAL_STUDIO_SERVER_H
 
@@ -10,11 +10,11 @@
 
 namespace integral {
 
-/// A request that the server let through.
+/// A request accepted by the server.
 struct ServerRequest {
     bool is_post = false; ///< else GET or HEAD
     std::string path;     ///< below the token, decoded: "/", "/picture/3"
-    std::string base;     ///< begins the path of each link: "/TOKEN"
+    std::string base;     ///< beginning of each link's path: "/TOKEN"
     std::string nonce;    ///< styles and scripts of the answer run only with this nonce
 };
 
@@ -22,20 +22,20 @@ struct ServerAnswer {
     int status = 200;
     std::string body;
     std::string type = "text/html; charset=utf-8";
-    std::string location = {}; ///< for status 303: the path where the browser goes on
+    std::string location = {}; ///< for status 303: the path of the next page
 };
 
-/// An HTTP server on the loopback interface. Its address holds a random token of 128 bits. A
-/// request is refused with status 403 unless it begins with the token, names this server as its
-/// Host and, if it has an Origin, as that. Pages may use only styles and scripts that have the
-/// answer's nonce, pictures of their own, and requests to this server.
+/// An HTTP server on the loopback interface. Its address contains a random token of 128 bits. A
+/// request is refused with status 403 unless its path begins with the token, its Host is this
+/// server and its Origin, if any, is too. Pages may use only styles and scripts with the answer's
+/// nonce, pictures of their own, and requests to this server.
 class Server {
 public:
-    /// Answers a request; nothing: there is no such page (404). Called by several threads at once.
-    /// What it throws becomes status 500 with the sentence.
+    /// Answers a request; empty: there is no such page (404). Called by several threads at once. An
+    /// exception becomes status 500 with its message.
     using Answer = std::function<std::optional<ServerAnswer>(const ServerRequest&)>;
 
-    /// Listens on `port`, or on a free one for 0. Throws OutputError if that fails, also where this
+    /// Listens on `port`, or on a free one for 0. Throws OutputError if that fails, or if this
     /// build has no HTTP library.
     Server(int port, Answer answer);
     ~Server();
@@ -45,8 +45,8 @@ public:
     /// "http://127.0.0.1:PORT/TOKEN/".
     std::string address() const;
 
-    /// Answers requests until `ended` returns true, which is asked several times a second, or until
-    /// the program is interrupted (interrupted()). Answers under way are finished.
+    /// Answers requests until `ended`, called several times a second, returns true, or until the
+    /// program is interrupted (interrupted()). Finishes the answers under way.
     void run(const std::function<bool()>& ended);
 
 private:
@@ -54,8 +54,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Opens an address in the user's browser if there is a display and a program that opens one
-/// (xdg-open). Does not wait for it. Returns whether it was started.
+/// Opens an address in the user's browser if there is a display and a program for it (xdg-open).
+/// Does not wait for the program. Returns whether the program was started.
 bool open_in_browser(const std::string& address);
 
 } // namespace integral

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// In place of server.cpp where the HTTP library is missing.
+// Replaces server.cpp if the HTTP library is missing.
 #include "integral/studio/server.h"
 
 #include "integral/base/file_bytes.h"

@@ -2,7 +2,7 @@
 #include "integral/wireframe/mesh_file.h"
 
 #include "integral/base/file_bytes.h"
-#include "integral/lightfield/encoding.h"
+#include "integral/frame/encoding.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/material.h>
@@ -21,7 +21,7 @@ namespace integral {
 namespace {
 
 constexpr rlim_t most_memory = rlim_t(4) << 30; ///< bytes
-constexpr rlim_t most_seconds = 120;            ///< of the processor
+constexpr rlim_t most_seconds = 120;            ///< of processor time
 
 /// Adds the objects of an Assimp scene to a mesh.
 class SceneTaker {
@@ -84,7 +84,7 @@ private:
         const aiMaterial& material = *scene_.mMaterials[from.mMaterialIndex];
         aiString name;
         aiColor4D diffuse;
-        // What has no material gets one from Assimp, of this name.
+        // Assimp gives a material of this name to everything that has none.
         if ((material.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS &&
              std::strcmp(name.C_Str(), AI_DEFAULT_MATERIAL_NAME) == 0) ||
             material.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse) != aiReturn_SUCCESS)
@@ -102,7 +102,7 @@ private:
         return {light(c.r), light(c.g), light(c.b), 1};
     }
 
-    /// Polygons become triangles that share their first corner, and keep their own edges.
+    /// Splits a polygon into triangles that share its first corner; its sides alone become edges.
     void take_face(const aiMesh& from, const aiFace& face, std::uint32_t first, Colour material)
     {
         const unsigned n = face.mNumIndices;
@@ -115,7 +115,7 @@ private:
             return first + face.mIndices[corner];
         };
         for (unsigned k = 0; k < n; ++k)
-            vertex(k); // checks them, before their colours are read
+            vertex(k); // checks the index before the colour is read
         const auto line = [&](unsigned a, unsigned b) {
             return MeshLine{{vertex(a), vertex(b)}, {colour(a), colour(b)}};
         };
@@ -147,7 +147,7 @@ private:
 Mesh imported(const std::string& path, const MeshReading& how)
 {
     Assimp::Importer importer;
-    // Corners are one vertex if they are at one place and of one colour, whatever else differs.
+    // Corners at one place and of one colour become one vertex, whatever else differs.
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                                 aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
                                     aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
@@ -183,13 +183,13 @@ template <class Thing> void write_all(int file, const std::vector<Thing>& things
     write_all(file, things.data(), count * sizeof(Thing));
 }
 
-/// The child's work: a 0 and the mesh, or a 1 and what is wrong.
+/// The child's work: sends a 0 and the mesh, or a 1 and the error.
 [[noreturn]] void import_into(int file, const std::string& path, const MeshReading& how)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     for (const int number : {SIGINT, SIGTERM, SIGHUP})
         std::signal(number, SIG_DFL);
-#ifndef __SANITIZE_ADDRESS__ // it reserves terabytes of addresses
+#ifndef __SANITIZE_ADDRESS__ // AddressSanitizer reserves terabytes of addresses
     const rlimit memory{most_memory, most_memory};
     setrlimit(RLIMIT_AS, &memory);
 #endif
@@ -221,7 +221,7 @@ std::string read_all(int file)
     return bytes;
 }
 
-/// Reads what write_all has written; nothing where it broke off.
+/// Reads what write_all has written; take() returns false if the data end too early.
 class Received {
 public:
     explicit Received(const std::string& bytes) : bytes_(bytes) {}

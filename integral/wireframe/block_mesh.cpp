@@ -22,7 +22,7 @@ LensRange range_of(const Mesh& mesh, const LensReach& reach,
 std::array<std::uint32_t, 1> vertices_of(const MeshPoint& point) { return {point.vertex}; }
 template <class Thing> auto vertices_of(const Thing& thing) { return thing.vertex; }
 
-/// Takes vertices over into a smaller mesh, each when it is first asked for.
+/// Copies vertices into a smaller mesh, each when first requested.
 class VertexTaker {
 public:
     VertexTaker(const std::vector<Vec3>& from, std::vector<Vec3>& to)
@@ -74,7 +74,7 @@ MeshBlocks::MeshBlocks(const WireframeRequest& request, const LensRange& window)
         bins_.emplace_back(of_kind, window, side_);
 }
 
-/// Sets order_ and ranges_ of one kind of things.
+/// Sets order_ and ranges_ for one kind: points, lines or triangles.
 template <class ThingAt>
 void MeshBlocks::sort(std::size_t kind, std::size_t count, const ThingAt& thing_at,
                       const LensReach& reach)
@@ -100,7 +100,7 @@ bool MeshBlocks::is_far(const std::uint32_t* vertices, std::size_t count) const
     return together_ && limits_.is_far(least, most);
 }
 
-/// BlockMesh::lenses of a range, which meets the block.
+/// The mask of BlockMesh::lenses for a range that meets the block.
 std::uint64_t MeshBlocks::lenses_in_block(int number, const LensRange& range) const
 {
     const int columns = bins_[0].columns();

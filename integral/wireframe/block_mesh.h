@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A mesh by blocks of neighbouring lenses: what the lenses of one block may image, in arrays that
-// the processor's caches hold while lens after lens draws it.
+// Splits a mesh by blocks of neighbouring lenses: arrays of the things that a block's lenses may
+// image, small enough for the processor's caches while lens after lens draws them.
 #ifndef INTEGRAL_WIREFRAME_BLOCK_MESH_H
 #define INTEGRAL_WIREFRAME_BLOCK_MESH_H
 
@@ -13,40 +13,41 @@
 
 namespace integral {
 
-/// What is needed of a line or triangle in order to see that nothing of it is in front.
+/// Data of a far line or triangle for the test whether any part of it is in front of the drawing.
 template <std::size_t corners> struct FarThing {
     std::array<std::uint32_t, corners> vertex;
-    float nearest; ///< the least z of its vertices, mm
+    float nearest; ///< minimum z of its vertices, mm
 };
 
-/// A part of a mesh: vertices are numbered anew. Where there are far things, all come from the
-/// front to the back, by their nearest vertices, since what is drawn first hides most of what
-/// follows.
+/// Part of a mesh, with its vertices renumbered. If there are far lines or triangles, everything is
+/// sorted from front to back by the nearest vertices, because what is drawn first hides most of
+/// what is drawn later.
 struct BlockMesh {
-    Mesh mesh; ///< its lines: those of the mesh, then the faces' edges
+    Mesh mesh; ///< lines: those of the whole mesh, then the faces' edges
     /// The lenses that may image each of its points, lines and triangles.
     std::array<std::vector<LensRange>, 3> ranges;
 
-    /// Behind square and hexagonal lenses whose model has one ray, through the pole: what is far
-    /// (DepthLimits::is_far) is here instead. Else these are empty.
+    /// The far lines and triangles: wholly on one side of their lenses (DepthLimits::is_far).
+    /// `mesh` does not contain them. Empty unless the lenses are square or hexagonal and their
+    /// model has one ray, through the pole.
     std::vector<MeshLine> far_lines;
     std::vector<MeshTriangle> far_triangles;
     std::vector<FarThing<2>> line_fronts;     ///< of each far line
     std::vector<FarThing<3>> triangle_fronts; ///< of each far triangle
-    /// Of each vertex, for each lens of the block by number_in_block: whether the lens may image
-    /// one of the points and far things that the vertex belongs to.
+    /// One mask for each vertex, with a bit for each lens of the block (number_in_block): whether
+    /// the lens may image a point, or a far line or triangle, that has this vertex.
     std::vector<std::uint64_t> lenses;
 };
 
-/// What is to be drawn of a request's mesh, by blocks of lenses. Immutable.
+/// The part of a request's mesh to draw, by blocks of lenses. Immutable.
 class MeshBlocks {
 public:
-    /// `window`: the lenses that there are. The request must outlive this.
+    /// `window`: the range of all lenses. The request must outlive this object.
     MeshBlocks(const WireframeRequest& request, const LensRange& window);
 
     int count() const { return bins_[0].blocks(); }
     int block_of(LensIndex lens) const { return bins_[0].block_of(lens); }
-    /// 0 to 63, by rows.
+    /// Number of a lens in its block: 0 to 63, by rows.
     int number_in_block(LensIndex lens) const
     {
         return int(lens.j - window_.j) % side_ * side_ + int(lens.i - window_.i) % side_;
@@ -76,12 +77,12 @@ private:
     const Mesh& mesh_;
     LensRange window_;
     DepthLimits limits_;
-    bool together_; ///< whether there are far things
+    bool together_; ///< whether lines and triangles may be far
     int side_;      ///< lenses along a block's side
-    /// Numbers of points, lines and triangles in the order of their drawing, and their ranges.
+    /// Indices of points, lines and triangles in drawing order, and their ranges.
     std::array<std::vector<std::uint32_t>, 3> order_;
     std::array<std::vector<LensRange>, 3> ranges_;
-    std::vector<LensBins> bins_; ///< the same
+    std::vector<LensBins> bins_; ///< of ranges_
 };
 
 } // namespace integral

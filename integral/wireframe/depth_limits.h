@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How near to the sheet and to the eye points are drawn, and how.
+// Computes the limits of depth for drawing near the sheet and near the eye.
 #ifndef INTEGRAL_WIREFRAME_DEPTH_LIMITS_H
 #define INTEGRAL_WIREFRAME_DEPTH_LIMITS_H
 
@@ -12,13 +12,13 @@ namespace integral {
 
 /// Values of z, mm.
 struct DepthLimits {
-    double foremost; ///< in front of it nothing is seen
-    double near;     ///< |z| up to which what is next to a lens covers it; 0: never
-    double before;   ///< a point in front of -before is before its lens
-    double behind;   ///< and beyond this behind it and its curved surface
+    double foremost; ///< things with a smaller z are not seen
+    double near;     ///< things with |z| up to this cover the lens that they touch; 0: none
+    double before;   ///< a point with z < -before is on the viewer's side of its lens
+    double behind;   ///< a point with z > behind is behind its lens and the curved surface
 
     bool is_seen(double z) const { return z > foremost; }
-    /// Whether all of a line or a face is seen and before its lenses, or all of it behind them.
+    /// Whether a thing from z = least to most is seen, wholly before or wholly behind its lenses.
     bool is_far(double least, double most) const
     {
         return (least > behind || most < -before) && is_seen(least);

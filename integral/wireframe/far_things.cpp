@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The many lines and triangles behind one lens that are about as large as its pixels: most of them
-// are done with once it is known in which pixel their corners lie.
+// Draws the many lines and triangles behind one lens that are about as large as its pixels: most
+// are finished once the pixels of their corners are known.
 #include "integral/wireframe/lens_drawing.h"
 
 namespace integral {
@@ -11,9 +11,9 @@ Colour middle_of(const std::array<Colour, 2>& c)
     return {0.5f * (c[0].r + c[1].r), 0.5f * (c[0].g + c[1].g), 0.5f * (c[0].b + c[1].b), 1};
 }
 
-/// Calls visit(number) for each of the far things of which something may be in front of what is
-/// drawn, and for some others. apart(thing): how far apart the places of its corners are. The test
-/// is made for many at once, before what they draw is known, so that it takes no branches.
+/// Calls visit(number) for each far thing that may be partly in front of the drawing, and for some
+/// that are not. apart(thing): difference of its corners' raster indices. Tests many things at
+/// once, without branches, before drawing any of these.
 template <std::size_t corners, class Apart, class Visit>
 void for_each_in_front(const std::vector<FarThing<corners>>& things, const int* place,
                        const LensRaster& raster, Apart apart, Visit visit)
@@ -30,7 +30,7 @@ void for_each_in_front(const std::vector<FarThing<corners>>& things, const int* 
             float farthest = drawn[place[thing.vertex[0]]];
             for (std::size_t c = 1; c < corners; ++c)
                 farthest = std::max(farthest, drawn[place[thing.vertex[c]]]);
-            // In one place, or two next to each other, it touches no third one.
+            // A thing in one place, or in two adjacent places, touches no third place.
             const int steps = apart(thing);
             const bool elsewhere = (steps > 1) & (steps != stride);
             list[count] = std::uint32_t(k);
@@ -82,8 +82,8 @@ void LensDrawing::draw_far_lines()
     });
 }
 
-/// Whether a line that begins and ends in two different places, nowhere behind `nearest`, may be in
-/// front of what is drawn. Lines are not that the lens cannot image.
+/// Whether a line with ends in two different places, and no part nearer than `nearest`, may be in
+/// front of the drawing. False for lines that the lens cannot image.
 bool LensDrawing::may_be_seen(int from, int to, float nearest) const
 {
     const auto is_seen = [&](int place) { return raster_.is_seen_at(std::size_t(place), nearest); };
@@ -95,7 +95,7 @@ bool LensDrawing::may_be_seen(int from, int to, float nearest) const
         return is_seen(from) || is_seen(to);
     if (steps != stride - 1 && steps != stride + 1)
         return true;
-    // The two places beside; of one on the border, one may lie beyond the raster.
+    // The two places beside the diagonal; on the border, one of them may lie beyond the raster.
     const int down = way > 0 ? stride : -stride;
     const auto is_seen_beside = [&](int place) {
         return place >= 0 && place <= nowhere && is_seen(place);
@@ -103,10 +103,11 @@ bool LensDrawing::may_be_seen(int from, int to, float nearest) const
     return is_seen(from) || is_seen(to) || is_seen_beside(from + down) || is_seen_beside(to - down);
 }
 
-/// Pixels by which a triangle's film points leave a straight triangle, over the square of its
-/// extent in pixels; a bound for extents of most_extent, wherever in the raster. As in box_of, with
-/// slopes s = n q / sqrt(t^2 - m q^2) that differ by at most n t^2 / (t^2 - m q^2)^(3/2) times what
-/// q does.
+/// Bound on the deviation (pixels) of a triangle's film points from a straight triangle, divided by
+/// the square of the triangle's extent in pixels. It holds for extents up to most_extent, anywhere
+/// in the raster. Derived like the bound in box_of: a film point at the distance q from the pole
+/// has the slope s = n q / sqrt(t^2 - m q^2), whose derivative by q is at most n t^2 / (t^2 - m
+/// q^2)^(3/2).
 double LensDrawing::bulge_by_pixel() const
 {
     const Medium& medium = request_.optics.medium();
@@ -131,7 +132,7 @@ namespace {
 /// The pixels of a raster whose centres, k + 0.5, lie between an extent's coordinates.
 PixelBox pixels_centred_within(const FilmExtent& extent, float margin, const PixelBox& raster)
 {
-    constexpr float apart = extent_beside + 2.5f; // so that what is cut off is positive
+    constexpr float apart = extent_beside + 2.5f; // makes the truncated number positive
     constexpr int whole = int(extent_beside) + 2;
     const auto first = [&](int k) { return int(extent[k] - margin + apart) - whole; };
     const auto end = [&](int k) { return int(-extent[k] + margin + apart) - whole; };
@@ -139,8 +140,8 @@ PixelBox pixels_centred_within(const FilmExtent& extent, float margin, const Pix
             raster.top + end(3)};
 }
 
-/// How far apart a triangle's corners are, if they lie in no more than two places: two places that
-/// are not next to each other, or three, may touch others, and count as 2.
+/// Distance between the places of a triangle's corners if these are one or two places; 2 if three.
+/// With three places, or two that are not adjacent, the triangle may touch other places.
 int places_apart(int a, int b, int c)
 {
     const int least = std::min({a, b, c}), most = std::max({a, b, c});
@@ -172,7 +173,7 @@ void LensDrawing::draw_far_triangles()
     for_each_in_front(block_.triangle_fronts, place, raster_, apart, [&](std::size_t k) {
         const auto [a, b, c] = triangles[k].vertex;
         if (place[a] == nowhere || place[b] == nowhere || place[c] == nowhere)
-            return; // the lens cannot image it
+            return; // the lens cannot image the triangle
         const FilmExtent extent = extent_of_both(extent_of_both(extents[a], extents[b]),
                                                  extents[c]);
         const float wide = -extent[2] - extent[0], high = -extent[3] - extent[1],

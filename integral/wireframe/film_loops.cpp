@@ -11,7 +11,7 @@ namespace integral {
 
 INTEGRAL_VECTORS void project(const PoleView& view, FilmChunk& chunk)
 {
-    // Copies, so that what is written cannot change what is read.
+    // Copies: the compiler must know that the stores below cannot change the inputs.
     const Medium medium = view.medium;
     const Film film = view.film;
     const Vec2 pole = view.pole, shift = view.shift;

@@ -16,14 +16,14 @@ LensReach::LensReach(const SheetOptics& optics, const LensRange& window, double 
                     std::min(0.5 * aperture.height, unlimited)};
     const auto extent = [&](Vec2 v) { return std::fabs(v.x) * half.x + std::fabs(v.y) * half.y; };
     half_aperture_ = {extent(lattice.across()), extent(lattice.along())};
-    // A lens shows what is next to it, wherever the aperture is; and a whole pixel, whose edge may
-    // see what is just outside of the aperture.
+    // A lens shows things next to it, wherever the aperture is. It also shows whole pixels, and a
+    // pixel's edges may see just outside the aperture.
     reach_ = cell_circumradius(optics.sheet()) + pictures_reach + 0.1 * lattice.pitch();
 }
 
 /// A line from a scene point S to a point A of the aperture crosses the sheet at S + (A - S) z/(z -
-/// eye). Over a convex set of S that lie on one side of the eye, the crossing points' extremes
-/// belong to the set's corners.
+/// eye). If the points S fill a convex set on one side of the eye, the extreme crossing points are
+/// those of the set's corners.
 LensRange LensReach::of(const Vec3* points, std::size_t count) const
 {
     const Lattice& lattice = optics_.lattice();

@@ -19,19 +19,19 @@ struct LensRange {
     }
 };
 
-/// z of the aperture, mm. A pseudoscopic frame's pixels are mirrored in their lenses, so that they
-/// see what lines through their lens and an aperture as far behind the sheet would meet.
+/// z of the aperture, mm. Pixels of a pseudoscopic frame are mirrored in their lenses: they see
+/// along lines through their lens and an aperture at the same distance behind the sheet.
 inline double eye_depth(const SheetOptics& optics, bool pseudoscopic)
 {
     return pseudoscopic ? optics.aperture().distance : -optics.aperture().distance;
 }
 
-/// The lenses through which the aperture may see any point of the convex hull of some scene points.
-/// `window`: the lenses that there are.
+/// Finds the lenses through which the aperture may see any point of the convex hull of some scene
+/// points. `window`: the range of all lenses.
 class LensReach {
 public:
-    /// `pictures_reach`: mm from its pole up to which a lens's points are looked through. `eye`: z
-    /// of the aperture, mm: eye_depth().
+    /// `pictures_reach`: greatest distance (mm) from a lens's pole to the lens points used. `eye`:
+    /// z of the aperture, mm: eye_depth().
     LensReach(const SheetOptics& optics, const LensRange& window, double pictures_reach,
               double eye);
     LensRange of(const Vec3* points, std::size_t count) const;
@@ -44,11 +44,11 @@ private:
     Vec2 half_aperture_; ///< mm, along the lens rows and across them
 };
 
-/// Things by the lenses that may image them. Lenses are taken together in square blocks, so that
-/// what spans hundreds of lenses is stored some ten times.
+/// Index of things (points, lines, triangles) by the lenses that may image them. Lenses form square
+/// blocks, so that a thing that spans hundreds of lenses is stored some ten times.
 class LensBins {
 public:
-    /// `ranges`: of each thing. `block`: lenses along a block's side.
+    /// `ranges`: one for each thing. `block`: lenses along a block's side.
     LensBins(const std::vector<LensRange>& ranges, const LensRange& window, int block);
 
     int blocks() const { return columns_ * rows_; }
@@ -57,7 +57,7 @@ public:
     {
         return int(lens.j - window_.j) / block_ * columns_ + int(lens.i - window_.i) / block_;
     }
-    /// The things that some lens of a block may image: [begin, end), in their order.
+    /// The things that any lens of a block may image: [begin, end), in their order.
     const std::uint32_t* begin(int block) const
     {
         return entries_.data() + start_[std::size_t(block)];

@@ -8,9 +8,9 @@
 namespace integral {
 namespace {
 
-constexpr double straight = 2;     // pixels: so short a piece of a line is drawn as a chord
-constexpr double bulge = 0.1;      // pixels by which a longer one may differ from its chord
-constexpr double not_clipped = 20; // pixels: so short a line is drawn without being clipped first
+constexpr double straight = 2;     // pixels; pieces of a line up to this length are drawn as chords
+constexpr double bulge = 0.1;      // pixels by which a longer piece may differ from its chord
+constexpr double not_clipped = 20; // pixels; lines up to this length are drawn without clipping
 constexpr int most_splits = 12;
 
 /// Narrows a span to where a + part * slope >= 0.
@@ -47,7 +47,7 @@ LensDrawing::LensDrawing(const WireframeRequest& request, LensIndex lens, Vec2 s
 {
     const SheetOptics& optics = request.optics;
     const double distance = optics.aperture().distance, thickness = optics.sheet().thickness;
-    // A pixel may see what is just outside of the aperture, beside what its centre sees.
+    // A pixel sees more than the pixel's centre does, and may see just outside the aperture.
     aperture_margin_ = 4 * optics.medium().n * distance / thickness *
                        std::max(request.film.pixel_pitch.x, request.film.pixel_pitch.y);
 }
@@ -82,8 +82,8 @@ LensDrawing::End LensDrawing::at(const MeshLine& line, double part) const
     return {from + part * (to - from), between(line.colour[0], line.colour[1], part)};
 }
 
-/// What is so near to a lens that it cannot be focused covers the lens: of a lenticular one, the
-/// row at its height.
+/// Covers the lens with a point too near to be focused: all pixels of the lens or, if the lens is
+/// lenticular, the row at the point's height.
 void LensDrawing::cover(Vec3 point, Colour colour)
 {
     const SheetOptics& optics = request_.optics;
@@ -138,8 +138,8 @@ void LensDrawing::draw(const MeshLine& line)
     draw_near(line, beside);
 }
 
-/// A far line by the film points of its ends, if these are near to each other. Returns whether they
-/// are.
+/// Draws a far line from the film points of its ends if they are near to each other. Returns
+/// whether the line was drawn.
 bool LensDrawing::draw_short(const MeshLine& line, const Vec2* start, const Vec2* end)
 {
     const Vec3 from = mesh_.vertices[line.vertex[0]], to = mesh_.vertices[line.vertex[1]];
@@ -156,10 +156,10 @@ bool LensDrawing::draw_short(const MeshLine& line, const Vec2* start, const Vec2
     return true;
 }
 
-/// Keeps what the aperture may see through the lens. The line from a scene point S through the
-/// pole's coordinate p meets the aperture's plane, z = e, at p + (p - S) (-e)/z, so that
-/// |p (z - e) + e S| is at most |z| times the aperture's half extent: a bound that is linear along
-/// the line. The extent is taken a little larger, as the pixels themselves decide.
+/// Narrows the span to what the aperture may see through the lens. The line from a scene point S
+/// through the pole's coordinate p meets the aperture's plane, z = e, at p + (p - S) (-e)/z, so
+/// that |p (z - e) + e S| is at most |z| times the aperture's half extent: a bound that is linear
+/// along the line. The extent is taken a little larger, as the pixels set the exact limit.
 void LensDrawing::keep_in_aperture(Vec3 from, Vec3 way, bool behind, Span& span) const
 {
     const SheetOptics& optics = request_.optics;
@@ -194,7 +194,7 @@ void LensDrawing::draw_far(const MeshLine& line, Span span)
         draw_piece(at(line, span.first), at(line, span.last), 0);
 }
 
-/// A piece whose ends may have no film point: their light would be reflected totally.
+/// Draws a piece whose ends may have no film point, because of total internal reflection.
 void LensDrawing::draw_piece(const End& a, const End& b, int splits)
 {
     const auto film_a = corner(a), film_b = corner(b);
@@ -213,7 +213,7 @@ LensDrawing::End LensDrawing::half_way(const End& a, const End& b)
     return {0.5 * (a.point + b.point), between(a.colour, b.colour, 0.5)};
 }
 
-/// A lens images a straight line as a slightly curved one.
+/// Draws a piece in chords, as a lens images a straight line slightly curved.
 void LensDrawing::draw_curve(const End& a, const FilmCorner& film_a, const End& b,
                              const FilmCorner& film_b, int splits)
 {
@@ -227,8 +227,8 @@ void LensDrawing::draw_curve(const End& a, const FilmCorner& film_a, const End& 
         const Vec2 off = film->pixel - film_a.pixel;
         const double beside = std::fabs(chord.x * off.y - chord.y * off.x) / long_way,
                      along = dot(chord, off) / (long_way * long_way);
-        // The middle of a line in depth is not the middle of its image: halves much unlike need
-        // their own depths.
+        // The middle of a line in depth is not the middle of its image. Halves of very different
+        // lengths are drawn separately, each with its own depths.
         if (beside > bulge || std::fabs(along - 0.5) > 0.1) {
             draw_curve(a, film_a, middle, *film, splits + 1);
             return draw_curve(middle, *film, b, film_b, splits + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Draws what one lens images of a mesh.
+// Draws the part of a mesh that one lens images.
 #ifndef INTEGRAL_WIREFRAME_LENS_DRAWING_H
 #define INTEGRAL_WIREFRAME_LENS_DRAWING_H
 
@@ -10,13 +10,13 @@
 
 namespace integral {
 
-/// One sharp picture of a lens, of the mesh whose vertices are given.
+/// Draws one sharp picture through a lens, from the mesh of the vertices' block.
 class LensDrawing {
 public:
     LensDrawing(const WireframeRequest& request, LensIndex lens, Vec2 shift,
                 const SharpPicture& picture, VertexFilm& vertices, LensRaster& raster);
 
-    /// All of the block that the lens may image.
+    /// Draws everything in the block that the lens may image.
     void draw_all();
 
 private:
@@ -33,7 +33,7 @@ private:
         Colour colour;
     };
     struct Span {
-        double first = 0, last = 1; ///< of a line, parts of its length
+        double first = 0, last = 1; ///< parts of a line's length
         bool is_empty() const { return !(first < last); }
     };
     FilmCorner corner_at(const Vec2* pixel, double depth, Colour colour) const;
@@ -77,7 +77,8 @@ private:
     LensRaster& raster_;
     DepthLimits limits_;
     double aperture_margin_;                     ///< mm
-    std::vector<std::optional<BeamRay>> sights_; ///< of the raster's pixels, once faces need them
+    std::vector<std::optional<BeamRay>> sights_; ///< rays of the raster's pixels, set when faces
+                                                 ///< first need them
 };
 
 } // namespace integral

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Faces behind one lens: every pixel that may see a triangle looks at it along its own ray.
+// Draws faces behind one lens: each pixel that may see a triangle tests it along its own ray.
 #include "integral/wireframe/lens_drawing.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace integral {
 namespace {
 
-/// Where a ray meets a triangle's plane inside the triangle: its z. Nothing elsewhere.
+/// z at which a ray meets a triangle; nothing if it misses.
 std::optional<double> depth_on(const std::array<Vec3, 3>& corner, const BeamRay& ray)
 {
     const Vec3 edge1 = corner[1] - corner[0], edge2 = corner[2] - corner[0],
@@ -24,7 +24,7 @@ std::optional<double> depth_on(const std::array<Vec3, 3>& corner, const BeamRay&
 
 } // namespace
 
-/// Film offsets t s/sqrt(n^2 + m (s^2 + o^2)) for slopes s in `slope`, o in `other`.
+/// Range of the film offsets t s/sqrt(n^2 + m (s^2 + o^2)) for s in `slope` and o in `other`.
 LensDrawing::Interval LensDrawing::film_offsets(const Medium& medium, Interval slope,
                                                 Interval other)
 {
@@ -39,7 +39,7 @@ LensDrawing::Interval LensDrawing::film_offsets(const Medium& medium, Interval s
             offset(slope.most, slope.most > 0 ? near : far)};
 }
 
-/// The ray of each of the raster's pixels.
+/// Sets the rays of the raster's pixels.
 void LensDrawing::see_faces()
 {
     const SheetOptics& optics = request_.optics;
@@ -52,10 +52,11 @@ void LensDrawing::see_faces()
     });
 }
 
-/// Pixels that may see the triangle. Through a point, a triangle on one side of the sheet is a
-/// triangle of slopes, whose corners the lens puts where the vertices are. Between them its film
-/// points t s/sqrt(n^2 + m s^2) leave a straight triangle by at most a sixth of their greatest
-/// second derivative, 2.3 t sqrt(m)/n^2, times the square of its extent.
+/// Pixels that may see the triangle. Seen through the pole, a triangle on one side of the sheet is
+/// a triangle of slopes s; its corners are imaged at the vertices' film points. Between the
+/// corners, the film points t s/sqrt(n^2 + m s^2) deviate from a straight triangle by at most a
+/// sixth of their greatest second derivative, 2.3 t sqrt(m)/n^2, times the square of the triangle's
+/// extent in slopes.
 PixelBox LensDrawing::box_of(const MeshTriangle& triangle) const
 {
     const SheetOptics& optics = request_.optics;
@@ -86,10 +87,10 @@ PixelBox LensDrawing::box_of(const MeshTriangle& triangle) const
                           {down.least - margin.y, down.most + margin.y});
 }
 
-/// The same for any lens and triangle, at more cost. The line from a scene point through the pole
-/// leaves the lens at P and meets the aperture plane at A, its slope is (P - A)/d, and over a
-/// triangle on one side of the sheet P and A have their extremes at the corners. Where a triangle
-/// crosses the sheet, A is only known to be within the aperture.
+/// Does the same as box_of for any lens and triangle, at more cost. The line from a scene point
+/// through the pole leaves the lens at P and meets the aperture plane at A; its slope is (P - A)/d.
+/// Over a triangle on one side of the sheet, P and A have their extremes at the corners. Where a
+/// triangle crosses the sheet, A is only known to be within the aperture.
 PixelBox LensDrawing::box_by_slopes(const MeshTriangle& triangle) const
 {
     const SheetOptics& optics = request_.optics;
@@ -110,7 +111,7 @@ PixelBox LensDrawing::box_by_slopes(const MeshTriangle& triangle) const
         ay.add(a.y);
         if (!refracts_at_surface(optics.model()))
             continue;
-        if (std::fabs(s.z) < optics.sheet().thickness) // spread too unevenly for what follows
+        if (std::fabs(s.z) < optics.sheet().thickness) // its rays spread too unevenly
             return raster_.box();
         const auto pole = film_point_imaging(optics, s, lens_),
                    seen = film_point_imaging(optics, s, lens_, picture_.through);
@@ -185,7 +186,7 @@ Colour LensDrawing::shade(const MeshTriangle& triangle, Vec3 corner, Vec3 normal
     return {share * triangle.colour.r, share * triangle.colour.g, share * triangle.colour.b, 1};
 }
 
-/// Draws a triangle on those pixels of a box that see it.
+/// Draws a triangle on the pixels of a box that see it.
 void LensDrawing::paint(const MeshTriangle& triangle, const PixelBox& box)
 {
     const auto& all = mesh_.vertices;
@@ -208,8 +209,8 @@ void LensDrawing::paint(const MeshTriangle& triangle, const PixelBox& box)
     });
 }
 
-/// An edge's pixels see its faces beside the edge. Faces are put back by as much as they may lie in
-/// front of it there, so that they do not hide it.
+/// Depth by which a face is moved back so that it does not hide its own edges. An edge's pixels see
+/// the face next to the edge, where the face may lie in front.
 double LensDrawing::put_back(Vec3 normal, Vec3 direction, double depth) const
 {
     constexpr double steepest = 16;

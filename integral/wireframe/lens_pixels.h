@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which of a film's pixels each lens images.
+// Lists the film pixels that each lens images.
 #ifndef INTEGRAL_WIREFRAME_LENS_PIXELS_H
 #define INTEGRAL_WIREFRAME_LENS_PIXELS_H
 
@@ -15,17 +15,17 @@ struct LensRun {
     int row, first, end;
 };
 
-/// The pixels of every lens that images any, as the renderer maps them. Immutable.
+/// The pixels of every lens that has any, as the renderer maps them. Immutable.
 class LensPixels {
 public:
-    /// `shift`: of a colour's subpixels from their pixels' centres, in pixels, +y down.
+    /// `shift`: offset of a colour's subpixels from their pixels' centres, in pixels, +y down.
     LensPixels(const SheetOptics& optics, const Film& film, LensMapping mapping, Vec2 shift,
                int threads);
 
-    /// Number of lenses that have pixels, numbered from 0 by row of lenses, then along it.
+    /// Number of lenses that have pixels. They are numbered from 0, row by row of lenses.
     int count() const { return int(first_run_.size()) - 1; }
     LensIndex lens(int number) const { return runs_[first_run_[std::size_t(number)]].lens; }
-    /// Its runs, by row: [begin, end).
+    /// A lens's runs, by row: [begin, end).
     const LensRun* begin(int number) const { return &runs_[first_run_[std::size_t(number)]]; }
     const LensRun* end(int number) const
     {
@@ -34,7 +34,7 @@ public:
 
 private:
     std::vector<LensRun> runs_;
-    std::vector<std::size_t> first_run_; ///< of each lens, and the number of all runs
+    std::vector<std::size_t> first_run_; ///< index by lens, then the number of all runs
 };
 
 } // namespace integral

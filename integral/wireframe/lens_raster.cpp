@@ -12,7 +12,7 @@ Colour between(Colour a, Colour b, double t)
     return {v * a.r + u * b.r, v * a.g + u * b.g, v * a.b + u * b.b, 1};
 }
 
-/// The greatest whole number that is not above a small one.
+/// Rounds a small number down to a whole one.
 int whole_below(double value)
 {
     const int towards_zero = int(value);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The pixels behind one lens, with a depth for each: what is nearest to the viewer stays.
+// Stores the pixels behind one lens, with a depth for each: the nearest thing drawn stays.
 #ifndef INTEGRAL_WIREFRAME_LENS_RASTER_H
 #define INTEGRAL_WIREFRAME_LENS_RASTER_H
 
-#include "integral/lightfield/image.h"
+#include "integral/frame/image.h"
 #include "integral/wireframe/lens_pixels.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace integral {
 
-/// A corner of what is drawn: a place on the film, the scene point's z (mm) and linear light.
+/// Corner of a thing to draw: a place on the film, the scene point's z (mm) and linear light.
 struct FilmCorner {
     Vec2 pixel; ///< continuous pixel coordinates
     double depth;
@@ -23,28 +23,29 @@ struct PixelBox {
     int left, top, right, bottom;
 };
 
-/// Places of the raster are rows of equally many columns, which begin where the lens's pixels of
-/// that row do, so that a slanted lens takes no more memory than an upright one. Around them is a
-/// border. Places that are not the lens's own pixels have the depth `blocked`, before everything.
+/// Pixels of one lens. A place is an index into the raster, whose rows have equal numbers of
+/// columns. Rows of a strongly slanted lens begin at the lens's first pixel in that row, so that
+/// such a lens takes no more memory than an upright lens. A border surrounds the rows. Places that
+/// are not pixels of the lens have the depth `blocked`, in front of everything.
 class LensRaster {
 public:
-    /// Takes up the pixels of a lens's runs; nothing is drawn. Memory is used again.
+    /// Begins an empty drawing on the pixels of a lens's runs. Reuses its memory.
     void begin(const LensRun* begin, const LensRun* end);
 
-    /// Nothing is drawn after this.
+    /// Empties the drawing.
     void clear() { depth_ = empty_; }
 
-    /// Draws what lies on the lens's own pixels, and leaves the others as they are.
+    /// Draws on the lens's pixels only.
     void draw_point(const FilmCorner& at);
-    /// A straight line, a pixel wide, both ends included.
+    /// Draws a straight line, one pixel wide, with both ends.
     void draw_line(const FilmCorner& from, const FilmCorner& to);
-    /// All of the lens's pixels in a row, or in every row.
+    /// Fills the lens's pixels in one row, or in all rows.
     void fill_row(int y, double depth, Colour colour);
     void fill(double depth, Colour colour);
 
     const PixelBox& box() const { return box_; }
-    /// Number of places, of which those of the lens's pixels in `box` are visited: visit(index, x,
-    /// y) with an index from 0 to size() - 1.
+    /// Number of places. for_each_pixel_in calls visit(index, x, y) for each pixel of the lens in
+    /// `box`, with an index from 0 to size() - 1.
     std::size_t size() const { return depth_.size(); }
     template <class Visit> void for_each_pixel_in(const PixelBox& box, Visit visit) const
     {
@@ -60,8 +61,8 @@ public:
         }
     }
 
-    /// Whether all rows begin at box().left: then a pixel's index is place(column, row) of its
-    /// coordinates in the box, of which -1 and columns() or rows() are the border.
+    /// Whether all rows begin at box().left. Then a pixel's index is place(column, row), counted
+    /// from the box's corner; -1 and columns() or rows() are the border.
     bool is_upright() const { return upright_; }
     int columns() const { return columns_; }
     int rows() const { return box_.bottom - box_.top; }
@@ -71,12 +72,12 @@ public:
         return std::size_t(row + 1) * std::size_t(columns_ + 2) + std::size_t(column + 1);
     }
 
-    /// A place that is blocked and no pixel's.
+    /// A blocked place that belongs to no pixel.
     int nowhere() const { return int(size()) - 1; }
 
-    /// What is drawn at each place; changes with what is drawn.
+    /// Depths of the drawing at all places; they change as things are drawn.
     const float* depths() const { return depth_.data(); }
-    /// Whether something at this depth is in front of what is drawn at a place.
+    /// Whether a thing at this depth is in front of the drawing at a place.
     bool is_seen_at(std::size_t index, float depth) const { return depth < depth_[index]; }
     void draw_at(std::size_t index, float depth, Colour colour)
     {
@@ -98,7 +99,7 @@ private:
         return pixel.x >= box_.left && pixel.x < box_.right && pixel.y >= box_.top &&
                pixel.y < box_.bottom;
     }
-    /// The index of a pixel; 0, which is on the border, where the raster does not have it.
+    /// Index of a pixel; 0, a place on the border, if the raster lacks the pixel.
     std::size_t index_at(int x, int y) const
     {
         if (y < box_.top || y >= box_.bottom)
@@ -111,7 +112,7 @@ private:
     int columns_ = 0;
     bool upright_ = true;
     std::vector<int> left_;            ///< first pixel of each row
-    std::vector<float> depth_, empty_; ///< of each place: now, and after clear()
+    std::vector<float> depth_, empty_; ///< of each place: in the drawing, and after clear()
     std::vector<Colour> colour_;
 };
 

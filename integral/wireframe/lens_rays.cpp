@@ -6,7 +6,7 @@
 namespace integral {
 namespace {
 
-/// Points that fill the unit square evenly: a column for each sample, and rows by a lattice.
+/// Points spread evenly over the unit square: one column for each sample, rows by a lattice.
 Vec2 unit_point(int k, int samples)
 {
     constexpr double golden = 0.6180339887498949;

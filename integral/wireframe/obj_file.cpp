@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/wireframe/obj_file.h"
 
+#include "integral/base/atomic_file.h"
 #include "integral/base/file_bytes.h"
-#include "integral/base/unfinished_file.h"
-#include "integral/lightfield/encoding.h"
+#include "integral/frame/encoding.h"
 
 #include <algorithm>
 #include <charconv>
@@ -94,7 +94,7 @@ private:
     int line_ = 0, next_line_ = 1;
 };
 
-/// The name that a statement gives: all of its words after the first, as names may have spaces.
+/// The name in a statement: all of its words after the first, as names may have spaces.
 std::string name_in(const std::vector<Word>& words)
 {
     std::string name(words.size() > 1 ? words[1] : Word());
@@ -191,7 +191,8 @@ private:
         }
     }
 
-    /// The vertex that a word as 7, 7/1, 7//3 or 7/1/3 names; negative ones count from the last.
+    /// The vertex named by a word such as 7, 7/1, 7//3 or 7/1/3; negative numbers count from the
+    /// last.
     std::uint32_t vertex(Word word) const
     {
         const Word digits = word.substr(0, word.find('/'));
@@ -248,8 +249,7 @@ private:
         }
     }
 
-    /// What the file says of its colours is of less importance than its shape: a library that is
-    /// not there is a warning.
+    /// Colours matter less than shape: a missing library is only a warning.
     void read_library(const std::vector<Word>& words)
     {
         if (how_.ignore_colours)
@@ -287,14 +287,14 @@ private:
         const std::string name = name_in(words);
         const auto match = materials_.find(name);
         material_ = match == materials_.end() ? std::nullopt : std::optional(match->second);
-        // A missing library's materials are in its own warning.
+        // The warning about a missing library covers its materials.
         if (!material_ && !lacks_library_ && unknown_.insert(name).second)
             how_.warn(file_.located("material " + excerpt(name) +
                                     " is in no file that mtllib names; what has it takes the "
                                     "default colour"));
     }
 
-    /// A path that the file gives relative to its own folder.
+    /// Resolves a path that the file gives relative to its own folder.
     std::string beside(const std::string& name) const
     {
         const std::size_t folder = path_.find_last_of('/');
@@ -306,11 +306,11 @@ private:
     MeshReading how_;
     Statements file_;
     Mesh mesh_;
-    std::vector<std::optional<Colour>> colours_; ///< of the first vertices
+    std::vector<std::optional<Colour>> colours_; ///< by vertex; those after the end have none
     Materials materials_;
     std::optional<Colour> material_;
     bool lacks_library_ = false;
-    std::set<std::string> unknown_; ///< materials of which a warning was given
+    std::set<std::string> unknown_; ///< materials that a warning was given for
     std::vector<std::uint32_t> corners_;
 };
 

@@ -6,7 +6,7 @@
 namespace integral {
 namespace {
 
-/// The extent along an axis of all points but the outermost hundredths, which may be stray ones.
+/// Extent along an axis without the outermost hundredths of the points, which may be strays.
 double extent(std::vector<double>& places)
 {
     const std::size_t stray = places.size() / 100;

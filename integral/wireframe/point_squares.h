@@ -7,9 +7,9 @@
 
 namespace integral {
 
-/// Side (mm) of squares that stand for a cloud's points: that of a square with twice each point's
-/// share of the cloud's area, as the sheet faces it, so that few gaps are left between points that
-/// lie at random; no more than `most`. 0 for a mesh without points.
+/// Side (mm) of the squares that represent a cloud's points. A square has twice each point's share
+/// of the cloud's area, as seen from the front, so that few gaps are left between randomly placed
+/// points. At most `most`; 0 for a mesh without points.
 double joining_size(const Mesh& cloud, double most);
 
 /// Adds two triangles in the colour of each point: an upright square that faces the viewer, with

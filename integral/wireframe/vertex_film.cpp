@@ -21,7 +21,7 @@ void VertexFilm::begin(LensIndex lens, int number, const std::vector<LensPoint>&
     rays_ = &rays;
     pixel_.resize(state_.size() * rays.size());
     ++generation_;
-    constexpr int most = 4096; // so that float tells the pixels' parts apart
+    constexpr int most = 4096; // so that float resolves parts of pixels
     together_ = !block_.lenses.empty() && raster.is_upright() && raster.columns() <= most &&
                 raster.rows() <= most;
     if (together_)
@@ -38,7 +38,7 @@ std::size_t VertexFilm::list_vertices(int number)
     return count;
 }
 
-/// Sets a chunk's first `count` points to the vertices that the list names.
+/// Sets a chunk's first `count` points to the vertices in the list.
 static void set_points(const std::vector<Vec3>& vertices, const std::uint32_t* list,
                        std::size_t count, FilmChunk& chunk)
 {

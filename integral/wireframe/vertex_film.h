@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Where on the film the rays of one lens put a mesh's vertices.
+// Projects a mesh's vertices through one lens to the film.
 #ifndef INTEGRAL_WIREFRAME_VERTEX_FILM_H
 #define INTEGRAL_WIREFRAME_VERTEX_FILM_H
 
@@ -14,34 +14,35 @@
 namespace integral {
 
 /// The film points of a block's vertices, in continuous pixel coordinates, for one lens of the
-/// block after another. Through poles of square and hexagonal lenses the vertices that the lens may
-/// image are projected together; others are when they are first asked for.
+/// block after another. If the lenses are square or hexagonal with one ray through the pole, the
+/// vertices that the lens may image are projected together; other vertices are projected when first
+/// requested.
 class VertexFilm {
 public:
-    /// `shift`: of a colour's subpixels from their pixels' centres, in pixels, +y down.
+    /// `shift`: offset of a colour's subpixels from their pixels' centres, in pixels, +y down.
     VertexFilm(const WireframeRequest& request, const BlockMesh& block, Vec2 shift);
 
-    /// Forgets all places. `number`: of the lens in its block.
+    /// Discards all places. `number`: the lens's number in its block.
     void begin(LensIndex lens, int number, const std::vector<LensPoint>& rays,
                const LensRaster& raster);
 
     const BlockMesh& block() const { return block_; }
-    /// The places of a vertex, one for each ray; nullptr where a ray has none.
+    /// The places of a vertex, one for each ray; nullptr if any ray has none.
     const Vec2* of(std::uint32_t vertex);
-    /// The same of any scene point, kept until the next call.
+    /// The places of any scene point, valid until the next call.
     const Vec2* of_point(Vec3 point);
     double projections() const { return projections_; }
 
-    /// Whether the vertices of the block's far things were projected together. Only then there are
-    /// the following.
+    /// Whether the vertices of the block's far things were projected together. Then places() is
+    /// valid, and extents() if triangles are far.
     bool is_together() const { return together_; }
-    /// The raster's place of each vertex; nowhere() of those that were not projected.
+    /// Each vertex's place in the raster; nowhere() for vertices not projected together.
     const int* places() const { return places_.data(); }
     const FilmExtent* extents() const { return extents_.data(); }
 
 private:
     bool project(Vec3 point, Vec2* pixel) const;
-    /// Lists the block's vertices that the lens may image, in list_; returns how many there are.
+    /// Lists the block's vertices that the lens may image, in list_; returns their number.
     std::size_t list_vertices(int number);
     void project_together(int number, const LensRaster& raster);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int any_channel = -1;
 
-/// The colours that are drawn together: all, or one of a film whose colours lie in stripes.
+/// Colours that are drawn together: all, or one of a film with striped subpixels.
 struct Channel {
     int channel;
     Vec2 shift; ///< pixels, +y down
@@ -113,7 +113,7 @@ private:
     void store(int x, int y, Colour linear)
     {
         if (linear.r == 0 && linear.g == 0 && linear.b == 0)
-            return; // as the picture begins
+            return; // black, as the image already is
         if (channel_.channel == any_channel)
             return store_linear(image_, x, y, linear);
         const Colour before = stored_pixel(image_, x, y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Reports what was drawn and at what cost, as a line and as JSON.
+// Reports the drawn mesh and the cost of drawing, as a line and as JSON.
 #ifndef INTEGRAL_WIREFRAME_WIREFRAME_REPORT_H
 #define INTEGRAL_WIREFRAME_WIREFRAME_REPORT_H
 

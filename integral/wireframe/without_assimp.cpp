@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Takes the place of assimp_file.cpp where there is no Assimp.
+// Takes the place of assimp_file.cpp in a build without Assimp.
 #include "integral/wireframe/mesh_file.h"
 
 #include "integral/base/file_bytes.h"

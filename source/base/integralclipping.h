@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// How the light of each ray is clipped before it is averaged to a pixel: as the picture file will
-// clip the pixel. Otherwise light above 1 would outweigh all else that a lens sees.
+// Selects how each ray's light is clipped before it is averaged to a pixel: in the same way as the
+// picture file will clip the pixel. Otherwise light above 1 would outweigh all else that a lens
+// sees.
 #ifndef POVRAY_BASE_INTEGRALCLIPPING_H
 #define POVRAY_BASE_INTEGRALCLIPPING_H
 

@@ -3,8 +3,8 @@
 // configbase.h must be the first POV-Ray file included within base
 #include "configbase.h"
 #include "base/integralframe.h"
-#include "integral/lightfield/quilt_name.h"
-#include "integral/lightfield/quilt_sampler.h"
+#include "integral/frame/quilt_name.h"
+#include "integral/sampling/quilt_sampler.h"
 
 #include <chrono>
 #include <cstdint>
@@ -97,7 +97,7 @@ bool IntegralFrame::Repeatable()
     return state.repeatable;
 }
 
-void IntegralFrame::Expect(const integral::IntegralCamera *camera)
+void IntegralFrame::Set_Expected_Camera(const integral::IntegralCamera *camera)
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
@@ -179,14 +179,14 @@ std::string IntegralFrame::Take_Problem()
     return std::exchange(state.problem, std::string());
 }
 
-void IntegralFrame::Forget()
+void IntegralFrame::Clear()
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
     state.metadata.reset();
 }
 
-bool IntegralFrame::Current()
+bool IntegralFrame::Is_Active()
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "integral/lightfield/frame_metadata.h"
+#include "integral/frame/frame_metadata.h"
 
 namespace pov_base
 {
@@ -21,58 +21,57 @@ public:
     /// Sets the scene's name for the frame's metadata, at the start of parsing.
     static void Set_Scene(const std::string& file);
 
-    /// Whether pictures are to be quilts of so many views, at the start of parsing.
+    /// Sets the view grid of quilts (nothing: pictures are frames), at the start of parsing.
     static void Set_Quilt(const std::optional<integral::ViewGrid>& tiles);
 
-    /// Whether pictures are written without date, machine and run time, so that the same pixels
-    /// give the same file; set at the start of parsing, for every camera.
+    /// Sets whether pictures are written without date, machine and run time, so that the same
+    /// pixels give the same file; at the start of parsing, for every camera.
     static void Set_Repeatable(bool repeatable);
     static bool Repeatable();
 
     /// Sets the scene's camera after parsing (null for a camera that is not integral), so that an
     /// interrupted render is continued only with the same geometry.
-    static void Expect(const integral::IntegralCamera *camera);
+    static void Set_Expected_Camera(const integral::IntegralCamera *camera);
 
-    /// The size of the picture that the camera passed to Expect needs; nothing if it was null.
+    /// The picture size of the camera passed to Set_Expected_Camera; nothing if it was null.
     static std::optional<integral::PixelSize> Expected_Size();
 
-    /// From now on pictures are frames of this camera. Starts the measurement of time. `draft`: the
-    /// number of Integral_Draft=.
-    /// `fit`: the words that the fit chose; empty: no fit.
+    /// Makes pictures frames of this camera from now on, and starts the measurement of time.
+    /// `draft`: the number of Integral_Draft=. `fit`: the words that the fit chose; empty: no fit.
     static void Begin(const integral::IntegralCamera& camera, int draft, const std::string& fit);
 
     /// Call it when the picture is rendered, with its error if known. Ends the measurement of time,
     /// which excludes the error estimate.
     static void End(const std::optional<integral::ErrorEstimate>& error);
 
-    /// Records why the file that `keyword` requests beside the picture is not there.
+    /// Records why the additional file that `keyword` requests is missing.
     static void Add_Problem(const std::string& keyword, const std::string& problem);
 
-    /// The recorded problems as a message, which are then forgotten; empty if there are none.
+    /// Returns the recorded problems as a message, and clears them; empty if there are none.
     static std::string Take_Problem();
 
-    /// From now on pictures are not integral frames.
-    static void Forget();
+    /// Clears the frame: from now on pictures are not integral frames.
+    static void Clear();
 
-    /// Whether the picture is an integral frame, or a quilt of one's views.
-    static bool Current();
+    /// Whether the picture is an integral frame, or a quilt of an integral camera's views.
+    static bool Is_Active();
 
-    /// The name of the picture's file: `file`, with the end that tells a quilt's views.
+    /// The name of the picture's file: `file`, for a quilt with the suffix that states its views.
     static std::string Named(const std::string& file);
 
     /// Film pixel pitch, mm; none for a quilt, whose pixels lie on no film. Call it only if
-    /// Current().
+    /// Is_Active().
     static std::optional<integral::Vec2> Pixel_Pitch();
 
     /// The JSON document for a file whose samples have the given encoding. Call it only if
-    /// Current().
+    /// Is_Active().
     static std::string Document(const integral::Encoding& encoding);
 
     /// Seconds from Begin to End, or to now; 0 without a Begin.
     static double Seconds();
 
-    /// A hash (16 hexadecimal digits) of the geometry of the camera passed to Expect; empty if it
-    /// was null.
+    /// A hash (16 hexadecimal digits) of the geometry of the camera passed to Set_Expected_Camera;
+    /// empty if it was null.
     static std::string Fingerprint();
 };
 

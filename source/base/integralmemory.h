@@ -10,7 +10,8 @@
 namespace pov_base
 {
 
-/// A block of bytes, initially 0. Only the parts that are written to take memory or disk space.
+/// A block of bytes, initially 0. Parts that are neither written nor reserved take no memory or
+/// disk space.
 class IntegralMemory
 {
 public:

@@ -17,8 +17,10 @@ enum
     kIntegralAttrib_Rows = 'IgRo', ///< option Integral_Rows=: the first and the last row that count
     kIntegralAttrib_Sheet = 'IgSf',       ///< option Integral_Sheet=: file with a lens sheet
     kIntegralAttrib_TargetError = 'IgTE', ///< option Integral_Target_Error= of an INI file
-    kIntegralAttrib_Draft = 'IgDr', ///< option Integral_Draft=: side of a draft's pixel in pixels
-    kIntegralAttrib_Fit = 'IgFi',   ///< option Integral_Fit=: depth budgets either side of the sheet
+    kIntegralAttrib_Draft = 'IgDr', ///< option Integral_Draft=: side of a draft's pixel, in pixels
+                                    ///< of the final
+    kIntegralAttrib_Fit = 'IgFi',   ///< option Integral_Fit=: depth budgets on either side of the
+                                    ///< sheet
     kIntegralAttrib_FreeWidth = 'IgFw',  ///< Width is a default, which print_size may replace
     kIntegralAttrib_FreeHeight = 'IgFh', ///< Height is a default, which print_size may replace
     kIntegralAttrib_Quilt = 'IgQu',      ///< option Integral_Quilt=: views across and up
@@ -26,35 +28,35 @@ enum
     // statistics
     kIntegralAttrib_FilmPoints = 'IgFp',        ///< number of film points
     kIntegralAttrib_Imaged = 'IgIm',            ///< film points that are imaged
-    kIntegralAttrib_Searched = 'IgSe',          ///< imaged ones whose lens the search found
+    kIntegralAttrib_Searched = 'IgSe',          ///< imaged points whose lens the search found
     kIntegralAttrib_OutsideAperture = 'IgOa',   ///< not imaged: the ray misses the aperture
     kIntegralAttrib_TotalReflection = 'IgTr',   ///< not imaged: totally reflected
     kIntegralAttrib_Rays = 'IgRy',              ///< rays traced
     kIntegralAttrib_ContainerSearches = 'IgCs', ///< rays whose start was searched for objects
     kIntegralAttrib_SharedShadings = 'IgSs',    ///< ray hits that used a shared colour
-    kIntegralAttrib_PatchShadings = 'IgPs',     ///< those of them that computed it
+    kIntegralAttrib_PatchShadings = 'IgPs',     ///< shared shadings that had to be computed
     kIntegralAttrib_Containers = 'IgCo',        ///< objects inside which rays may start
     kIntegralAttrib_Objects = 'IgOb',           ///< objects in the scene
     kIntegralAttrib_PrintWidth = 'IgPw',        ///< mm across the picture
     kIntegralAttrib_PrintHeight = 'IgPh',       ///< mm down the picture
     kIntegralAttrib_ViewingDistance = 'IgVd',   ///< mm from the eye to the sheet
     kIntegralAttrib_Parallax = 'IgPx', ///< mm that the scene's eye moves for 1 mm of the viewer's;
-                                       ///< absent: both are one
-    kIntegralAttrib_SceneDistance = 'IgVs', ///< mm from the scene's eye to the sheet; only if
-                                            ///< another
+                                       ///< absent: the eyes are the same
+    kIntegralAttrib_SceneDistance = 'IgVs', ///< mm from the scene's eye to the sheet; only with
+                                            ///< parallax or move_eye
     kIntegralAttrib_FitWords = 'IgFt', ///< the words that the fit chose; absent: no fit
     kIntegralAttrib_OneColour = 'IgOc',         ///< whether all pixels have the same colour
     kIntegralAttrib_Seconds = 'IgSc',  ///< seconds from the view's start to the end of rendering
     kIntegralAttrib_Error = 'IgEr',    ///< estimated RMS error in the output encoding; absent: not
                                        ///< estimated
-    kIntegralAttrib_ErrorLow = 'IgEl', ///< its interval
+    kIntegralAttrib_ErrorLow = 'IgEl', ///< ends of its interval
     kIntegralAttrib_ErrorHigh = 'IgEh',
     kIntegralAttrib_ErrorSeconds = 'IgEs',   ///< seconds that the estimate took
     kIntegralAttrib_ErrorPixels = 'IgEx',    ///< pixels examined
     kIntegralAttrib_ErrorLitPixels = 'IgEt', ///< lit pixels in the frame
     kIntegralAttrib_ErrorSamples = 'IgEn',   ///< samples of each examined pixel
     kIntegralAttrib_ErrorMethod = 'IgEm',    ///< integral::ErrorMethod
-    kIntegralAttrib_Continued = 'IgEk'       ///< whether pixels were kept from before (+C)
+    kIntegralAttrib_Continued = 'IgEk'       ///< whether pixels come from an earlier run (+C)
 };
 
 /// The integral camera's rows in the front end's table of INI keywords.

@@ -12,8 +12,8 @@
 #include "base/stringutilities.h"
 #include "base/types.h"
 #include "integral/base/file_bytes.h"
-#include "integral/lightfield/pass_schedule.h"
-#include "integral/lightfield/refinement.h"
+#include "integral/reconstruction/pass_schedule.h"
+#include "integral/reconstruction/refinement.h"
 
 #include <algorithm>
 #include <cctype>
@@ -103,7 +103,7 @@ int Draft_In(const std::string& text)
 /// The number of depth budgets of Integral_Fit=, 0 for off; nothing for an empty text.
 std::optional<double> Fit_In(const std::string& text)
 {
-    constexpr double budgets = 2; // of `on`: soft at the ends of the depth
+    constexpr double budgets = 2; // for `on`: the ends of the depth are soft
     if (text.empty())
         return std::nullopt;
     if (const auto on = Yes_Or_No(text))
@@ -197,8 +197,8 @@ void Read_Rows(const std::string& text, int height, IntegralRows& rows)
     rows = {first - 1, last - 1};
 }
 
-/// Reads Integral_Quilt=, and refuses what is of frames alone. `height`: of the picture, pixels; 0
-/// if its size is not known yet.
+/// Reads Integral_Quilt=, and rejects options that apply to frames only. `height`: height of the
+/// picture, pixels; 0 if not known yet.
 void Read_Quilt(const std::string& text, POVMS_Object& options, int height,
                 IntegralRenderOptions& result)
 {

@@ -10,15 +10,16 @@
 #include <optional>
 #include <string>
 
-#include "integral/lightfield/error_estimate.h"
-#include "integral/lightfield/view_grid.h"
+#include "integral/frame/error_estimate.h"
+#include "integral/frame/view_grid.h"
 
 class POVMS_Object;
 
 namespace pov_base
 {
 
-/// Whether rays share shading. automatic: if there is anti-aliasing and shading is expensive.
+/// Whether rays share shading. automatic: with anti-aliasing, if shading is expensive; of a reconstructed
+/// frame, only radiosity's ambient light.
 enum class IntegralSharing
 {
     automatic,
@@ -35,17 +36,17 @@ struct IntegralRows
     bool Meet(int top, int bottom) const { return top <= last && bottom >= first; }
 };
 
-/// The options that count while the scene is parsed.
+/// The options that apply while the scene is parsed.
 struct IntegralSceneOptions
 {
     std::string camera;       ///< the words of Integral_Camera=; empty: none
     std::string sheet;        ///< Integral_Sheet=: a file; empty: none
-    int draft = 1;            ///< Integral_Draft=: pixels of the final across one of the draft
-    std::optional<double> fit; ///< Integral_Fit=: depth budgets either side; 0: off
+    int draft = 1;            ///< Integral_Draft=: pixels of the final across a pixel of the draft
+    std::optional<double> fit; ///< Integral_Fit=: depth budgets on either side; 0: off
     bool free_width = false;  ///< the width is a default, which print_size may replace
-    bool free_height = false; ///< and the height
+    bool free_height = false; ///< the same for the height
     std::string problem;      ///< what is wrong with the options, for the user; empty: nothing
-    std::string problem_with_any_camera; ///< the same, of an option that counts for every camera
+    std::string problem_with_any_camera; ///< the same, for options that apply to every camera
 };
 
 /// Reads the options; problems that Read_Integral_Options would report are in `problem`.
@@ -63,19 +64,19 @@ struct IntegralRenderOptions
     std::string depth_picture;  ///< Integral_Depth_Image=; empty: none
     IntegralRows rows;          ///< Integral_Rows=
     std::optional<integral::ViewGrid> quilt; ///< Integral_Quilt=; nothing: a frame
-    bool continued = false;                  ///< +C: some pixels are kept from before
+    bool continued = false;                  ///< +C: some pixels come from an earlier run
     bool antialias = false;                  ///< +A with a method other than 0
     bool light_field = true;                 ///< Integral_Antialiasing=light_field; false: pixels
     bool reconstruct = true;                 ///< Integral_Reconstruction=
-    double threshold = 0.3;                  ///< of +A
+    double threshold = 0.3;                  ///< +A's threshold
     int block_side = 32;                     ///< width and height of a block, pixels
     std::size_t most_memory = std::numeric_limits<std::size_t>::max(); ///< +MI: limit for an image
                                                                        ///< in main memory, bytes
-    integral::OutputCurve output; ///< from the renderer's values to those of the picture file
+    integral::OutputCurve output; ///< from the renderer's values to the picture file's
 };
 
-/// Reads the options. Throws std::invalid_argument with a message for the user. `height`: of the
-/// picture, pixels; 0 if it is not known yet.
+/// Reads the options. Throws std::invalid_argument with a message for the user. `height`: height of
+/// the picture, pixels; 0 if not known yet.
 IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height);
 
 /// The bounding method: `method` (POV-Ray's value) if the options specify one, else

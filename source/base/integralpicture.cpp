@@ -10,8 +10,8 @@
 #include "base/integralstream.h"
 #include "base/stringutilities.h"
 #include "base/types.h"
+#include "integral/base/atomic_file.h"
 #include "integral/base/file_bytes.h"
-#include "integral/base/unfinished_file.h"
 
 #include <cerrno>
 #include <cmath>
@@ -47,7 +47,7 @@ std::string Failed(const std::string& file, const std::string& reason)
 
 #ifndef OPENEXR_MISSING
 /// Lets OpenEXR write to a file that appears only when it is complete. OpenEXR's own destructors
-/// hide errors, which the file keeps for its finish().
+/// hide errors; OutputFile reports them in finish().
 class WholeEXR : public Imf::OStream
 {
 public:
@@ -75,7 +75,7 @@ std::string Find_Write_Error(const std::string& file)
         return "IO restrictions prohibit it";
     if (integral::is_special(file))
         return "it is a device or a pipe, and has to be a file";
-    const integral::UnfinishedFile unfinished(file);
+    const integral::AtomicFile unfinished(file);
     return unfinished.name().empty() ? Reason(errno) : std::string();
 }
 
@@ -94,7 +94,7 @@ std::string Write_Integral_Picture(const std::string& file, int width, int heigh
     options.encodingGamma = SRGBGammaCurve::Get();
     options.workingGamma = NeutralGammaCurve::Get();
     options.dither = GetNoOpDitherHandler();
-    integral::UnfinishedFile unfinished(file);
+    integral::AtomicFile unfinished(file);
     if (unfinished.name().empty())
         return Failed(file, Reason(errno));
     errno = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Streams into new files, which tell whether everything was written.
+// Writes streams to new files and reports whether everything was written.
 #ifndef POVRAY_BASE_INTEGRALSTREAM_H
 #define POVRAY_BASE_INTEGRALSTREAM_H
 
@@ -16,7 +16,7 @@ class IntegralStream : public OStream
 public:
     explicit IntegralStream(unsigned int file_type) : OStream(file_type) {}
 
-    /// Takes a descriptor, and closes it. The stream has failed if it is -1.
+    /// Writes to a descriptor, and closes it. The stream has failed if the descriptor is -1.
     IntegralStream(unsigned int file_type, int descriptor) : OStream(file_type)
     {
         f = descriptor < 0 ? NULL : fdopen(descriptor, "wb");

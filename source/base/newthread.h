@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Starts threads; where none is left, says so and ends the program.
+// Starts threads; if the system allows no more, prints a message and ends the program.
 #ifndef POVRAY_BASE_NEWTHREAD_H
 #define POVRAY_BASE_NEWTHREAD_H
 
@@ -13,7 +13,7 @@ namespace pov_base
 {
 
 /// Starts a boost::thread, which the caller owns. If the system has no memory for its stack, or
-/// allows this user no further one, prints a message and ends the program with status 1: the
+/// allows this user no more threads, prints a message and ends the program with status 1: the
 /// threads that wait for this one would wait for ever.
 template <class... Arguments> boost::thread *New_Thread(Arguments&&...arguments)
 {

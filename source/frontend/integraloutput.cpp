@@ -9,7 +9,7 @@
 #include "base/image/integralmetadata.h"
 #include "base/integralstream.h"
 #include "base/povmscpp.h"
-#include "integral/base/unfinished_file.h"
+#include "integral/base/atomic_file.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -78,7 +78,7 @@ void Write_Whole_Picture(UCS2String& file, unsigned int file_type, Image::ImageF
             Write_To(stream, format, image, options, false);
             return Write_Integral_Companion(file, format, options);
         }
-        integral::UnfinishedFile unfinished(name);
+        integral::AtomicFile unfinished(name);
         {
             IntegralStream stream(file_type, unfinished.name());
             Write_To(stream, format, image, options, true);
@@ -105,7 +105,7 @@ void Number_Integral_Files(POVMS_Object& options, int frame, int digits)
         const std::string name = UCS2toASCIIString(options.TryGetUCS2String(key, ""));
         const auto dot = name.rfind('.');
         if (dot == std::string::npos)
-            continue; // no name of such a file: reported when the options are read
+            continue; // not the name of such a file: an error when the options are read
         std::string number = std::to_string(frame);
         number.insert(0, std::max(0, digits - int(number.size())), '0');
         const std::string numbered = name.substr(0, dot) + number + name.substr(dot);
@@ -121,7 +121,7 @@ UCS2String Render_State_Name(const UCS2String& file)
     return (usual ? name : file) + ASCIItoUCS2String(".pov-state");
 }
 
-/// Whether a file is a render state, or the begin of one, which may be empty.
+/// Whether a file is a render state, or the beginning of one, which may be empty.
 static bool Is_Render_State(const std::string& name, const std::string& signature)
 {
     const int file = open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);

@@ -20,14 +20,14 @@ namespace pov_frontend
 
 /// Writes `image` to a temporary file in the folder of `file` and renames it to `file`, so that an
 /// old file stays until the new picture is complete. Standard output, devices and pipes are written
-/// directly. A quilt's name gets the end that tells its views, also in `file`. Throws
+/// directly. A quilt's name gets the suffix that states its views, also in `file`. Throws
 /// pov_base::Exception with a one-sentence message on failure; no temporary file is left then.
 void Write_Whole_Picture(pov_base::UCS2String& file, unsigned int file_type,
                          pov_base::Image::ImageFileType format, const pov_base::Image& image,
                          const pov_base::Image::WriteOptions& options);
 
-/// Gives the files of Integral_Depth_Image and Integral_Error_Image the number of an animation's
-/// frame, before the end of their names, as the frame's picture has it.
+/// Adds the number of an animation's frame to the file names of Integral_Depth_Image and
+/// Integral_Error_Image, before the extension, as in the name of the frame's picture.
 void Number_Integral_Files(POVMS_Object& options, int frame, int digits);
 
 /// The name of the render state of the output `file`: NAME.pov-state for NAME.png and, where no

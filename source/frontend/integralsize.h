@@ -22,7 +22,8 @@ public:
     /// Takes the size out of the options.
     explicit DefaultSize(POVMSObject& options);
 
-    /// Puts it back, after the command line, where that gives none, and marks it as a default.
+    /// Puts the size back where the command line gives none, and marks it as a default. Call it
+    /// after the command line has been read.
     void Put_Back(POVMSObject& options) const;
 
 private:

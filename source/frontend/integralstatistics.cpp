@@ -70,7 +70,7 @@ static void Print_Geometry(POVMS_Object& statistics, TextStreamBuffer *out)
                     number(kIntegralAttrib_SceneDistance));
 }
 
-/// Says that +C has not continued radiosity's points.
+/// Prints that +C has not continued radiosity's points.
 static void Print_Continued(POVMS_Object& statistics, TextStreamBuffer *out)
 {
     if (statistics.TryGetBool(kIntegralAttrib_Continued, false) &&

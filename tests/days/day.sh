@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 # For the scripts of this folder (sourced): a day of one user, from a wish in words to the checked
 # result. Each command that the user types is given with `step`, as typed, and counted: a day has at
-# most six, and none that needs a calculator. What proves the result is no step.
+# most six, and none that needs a calculator. Checks of the result are not steps.
 . "${TOP:-$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)}/tests/tap.sh"
 PATH=$BUILD/bin:$PATH
 cd "$scratch"
@@ -24,7 +24,7 @@ value() {
         local $/; open my $file, "<", shift; my $at = decode_json(<$file>);
         $at = ref $at eq "ARRAY" ? $at->[$_] : $at->{$_} for @ARGV; print "$at\n"' "$@"
 }
-# about NAME GOT WANTED PART: the same but for a part
+# about NAME GOT EXPECTED PART: equal within the fraction PART
 about() {
     is "$1" "$(awk -v a="$2" -v b="$3" -v p="$4" 'BEGIN { d = a - b; print ((d < 0 ? -d : d) <= p * b) ? "about " b : a }')" \
         "about $3"

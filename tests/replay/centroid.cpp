@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// centroid PICTURE.png WIDTH_MM: the centre of what is bright in a view of a sheet WIDTH_MM wide,
+// centroid PICTURE.png WIDTH_MM: the centre of the bright area in a view of a sheet WIDTH_MM wide,
 // in mm from the sheet's centre (x to the right, y up). Reads the picture by libpng alone.
 #include <png.h>
 

@@ -2,8 +2,8 @@
 // parallax FRAME Z: measures how far a thing at depth Z (mm behind the sheet, on its axis) moves
 // between the views of 25 eyes, and compares with theory: it is seen through the sheet at eye * Z /
 // (distance + Z). Prints the number of pairs of eyes that are at least 60 mm apart, and their
-// greatest deviation in per cent of what theory says. The eyes stand all over the viewing zone:
-// 5 x 5, or 25 in a row for cylinder lenses. Each view is the mean of those of 8 eyes, which are
+// greatest deviation in per cent of the theoretical value. The eyes stand all over the viewing
+// zone: 5 x 5, or 25 in a row for cylinder lenses. Each view is the mean over 8 eyes, which are
 // spread over the beam from which a pixel is seen, n distance/thickness pixels wide
 // (parallax.test).
 #include "integral/io/image_file.h"
@@ -20,23 +20,22 @@ namespace {
 using namespace integral;
 
 constexpr double apart = 60; // mm
-constexpr int spread = 8;    // eyes to the mean of one: (k, 3k mod 8), all eighths of the beam both
-                             // ways
+constexpr int spread = 8;    // eyes averaged for a view: (k, 3k mod 8), every eighth of the beam
 
 bool is_row(const Frame& frame)
 {
     return frame.metadata->sheet.arrangement == Arrangement::lenticular;
 }
 
-/// The part of the aperture from which an eye sees all lenses without light of the next lens. The
-/// images of hexagonal lenses do not fill the aperture's corners, and less so those of lenses at
-/// the sheet's edge, which look there at an angle.
+/// The part of the aperture from which an eye sees all lenses without light of the next lens.
+/// Hexagonal lenses' images do not fill the aperture's corners; lenses at the sheet's edge, which
+/// see the aperture at an angle, fill it even less.
 double zone(const Frame& frame)
 {
     return frame.metadata->sheet.arrangement == Arrangement::hexagonal ? 0.5 : 0.8;
 }
 
-/// Centre of what is bright, mm.
+/// Centre of the bright area, mm.
 Vec2 centroid(const Image& view, const Film& window)
 {
     const LinearReader read(view);

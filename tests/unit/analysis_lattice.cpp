@@ -140,13 +140,13 @@ BOOST_AUTO_TEST_CASE(an_edge_response_does_not_depend_on_the_light)
     const Plane a = edge_response(bright, 1, 20, 1), b = edge_response(dim, 1, 20, 1);
     for (std::size_t k = 0; k < a.values.size(); ++k)
         BOOST_REQUIRE_SMALL(a.values[k] - b.values[k], 2e-3f);
-    BOOST_CHECK_GT(a.at(7, 20), 0.7); // beside the step from 6 to 7
+    BOOST_CHECK_GT(a.at(7, 20), 0.7); // next to the step from 6 to 7
     BOOST_CHECK_EQUAL(a.at(3, 20), 0);
 }
 
 BOOST_AUTO_TEST_CASE(borders_lie_where_the_aperture_ends)
 {
-    // Without displacement (an eye endlessly far away) they are halfway between the lenses.
+    // Without displacement (an eye at infinity) the borders are halfway between the lenses.
     LensSheet sheet = sheet_of(Arrangement::lenticular, 20);
     const SheetOptics far(sheet, *filling_aperture(sheet, 1e8));
     const Lattice lattice(sheet);
@@ -156,8 +156,8 @@ BOOST_AUTO_TEST_CASE(borders_lie_where_the_aperture_ends)
         const double u = dot(lattice.across(), point - sheet.offset) / sheet.pitch - 0.5;
         BOOST_REQUIRE_SMALL(u - std::round(u), 1e-3);
     }
-    // Near by they are displaced by x t/sqrt(n^2 d^2 + (n^2 - 1) x^2): upright lenses, on the
-    // horizontal axis.
+    // A near eye displaces them by x t/sqrt(n^2 d^2 + (n^2 - 1) x^2). The lenses are upright, the
+    // points on the horizontal axis.
     sheet.slant = 0;
     const SheetOptics near(sheet, *filling_aperture(sheet, 200));
     const double m = sheet.ior * sheet.ior - 1;
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(borders_lie_where_the_aperture_ends)
         const double u = (pole - sheet.offset.x) / sheet.pitch - 0.5;
         BOOST_REQUIRE_SMALL(u - std::round(u), 0.01);
     }
-    // Between the pixels of a frame they are on the pixels' edges.
+    // Borders between the pixels of a frame are on the pixels' edges.
     Film film{300, 200, {0.0847, 0.0847}, Subpixels::none};
     for (const Vec2 point : lens_borders_of_pixels(near, LensMapping::automatic, film, 2000, 1)) {
         const double x = pixel_from_film(film, point).x;
@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(a_lattice_is_found)
 
 BOOST_AUTO_TEST_CASE(a_picture_of_two_lattices_is_refused)
 {
-    // The greys change at the lenses' borders, and by as much half a lens beside them.
+    // The greys change equally at the lenses' borders and in the lenses' middles.
     const LensSheet sheet = sheet_of(Arrangement::lenticular);
     const ScanMap truth{{201.5, 150.5}, {12, 12}, 0.01};
     const LatticeSearch search = search_for(sheet, {{200, 150}, {12, 12}, 0});

@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(casts_are_taken_out)
     BOOST_CHECK_CLOSE(g.r * 0.4, g.g * 0.3, 0.01);
     BOOST_CHECK_CLOSE(g.g * 0.3, g.b * 0.1, 0.01);
     BOOST_CHECK_CLOSE(luminance({g.r * 0.4f, g.g * 0.3f, g.b * 0.1f, 1}),
-                      luminance({0.4f, 0.3f, 0.1f, 1}), 0.01); // none the brighter
+                      luminance({0.4f, 0.3f, 0.1f, 1}), 0.01); // same luminance
     ScanLight white;
     white.balance_white(scan, 90, 10, 20, 20);
     BOOST_CHECK_CLOSE(white.channel_gains().r * 0.2, 1, 0.01);
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(vignetting_of_the_micro_images_is_divided_out)
     const SheetOptics optics(sheet, *filling_aperture(sheet, 300));
     const Film film{300, 240, {0.0847, 0.0847}, Subpixels::none};
     Image frame = make_image<float>(300, 240, 3, Encoding{Encoding::Kind::linear, 1});
-    const auto share = [&](Vec2 point) { // of the light at a film point; nothing where it is dark
+    const auto share = [&](Vec2 point) { // share of the light at a film point; -1 where it is dark
         const auto mapped = optics.map(point, LensMapping::automatic);
         if (!mapped.ray)
             return -1.0;
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(vignetting_of_the_micro_images_is_divided_out)
         for (int x = 0; x < film.width; ++x)
             if (share(film_from_pixel(film, {x + 0.5, y + 0.5})) > 0)
                 worst = std::max(worst, std::fabs(stored_pixel(frame, x, y).g - 0.4));
-    BOOST_CHECK_LT(worst, 0.04); // of 0.4; at the borders it was 0.2 before
+    BOOST_CHECK_LT(worst, 0.04); // out of 0.4; at the borders it was 0.2 before
 }
 
 BOOST_AUTO_TEST_SUITE_END()

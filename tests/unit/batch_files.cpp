@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests the files of batches: hashes, the files that scenes read, records and locks.
 #include "integral/base/file_bytes.h"
+#include "integral/base/file_bytes.h"
 #include "integral/batch/batch_folder.h"
 #include "integral/batch/content_hash.h"
-#include "integral/batch/located_json.h"
 #include "integral/batch/lock_file.h"
 #include "integral/batch/scene_files.h"
+#include "integral/batch/source_json.h"
 #include "integral/batch/step_record.h"
-#include "integral/base/file_bytes.h"
 #include "integral/io/image_file.h"
 
 #include <boost/test/unit_test.hpp>
@@ -54,7 +54,7 @@ std::string names_of(const std::vector<SceneFile>& files)
     return names;
 }
 
-/// Sets a file's time of change to the past.
+/// Moves a file's modification time into the past.
 void made_ago(const std::string& path, std::chrono::seconds ago)
 {
     std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now() - ago);
@@ -63,7 +63,7 @@ void made_ago(const std::string& path, std::chrono::seconds ago)
 std::string refusal(const std::string& json)
 {
     try {
-        Located::parse("m.json", json).allow({"a", "b"});
+        SourceJson::parse("m.json", json).allow({"a", "b"});
     } catch (const InputError& error) {
         return error.what();
     }
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(scene_names_its_files)
         folder.path + "/s", {"+A0.3", "+L" + folder.path + "/lib"}, folder.path + "/share"};
     auto files = files_of_scene("scene.pov", search);
     BOOST_TEST(names_of(files) == "scene.pov a.inc lib.inc deep.inc sky.png bare ");
-    BOOST_TEST(files[1].path == folder.path + "/s/a.inc"); // before the library's
+    BOOST_TEST(files[1].path == folder.path + "/s/a.inc"); // found before the library's a.inc
     search.options.pop_back();
     BOOST_TEST(names_of(files_of_scene("scene.pov", search)) == "scene.pov a.inc sky.png bare ");
     BOOST_CHECK_THROW(files_of_scene("none.pov", search), InputError);
@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(published_between_record_and_place)
     record = read_record(batch.record(step));
     BOOST_TEST(is_done(batch, step, record, "i"));
     BOOST_TEST(!is_done(batch, step, record, "j"));
-    // A kill after the record, before the rename.
+    // Killed after the record is written, before the rename.
     std::filesystem::rename(batch.output(step), batch.made(step));
     BOOST_TEST(is_done(batch, step, record, "i"));
     BOOST_TEST(read_file(batch.output(step)) == "picture");
@@ -292,7 +292,7 @@ BOOST_AUTO_TEST_CASE(one_holder_of_a_lock)
     BOOST_TEST(second.take(path, holder));
     second.release();
     BOOST_TEST(!std::filesystem::exists(path));
-    // A process that was killed while it held the lock.
+    // A process is killed while it holds the lock.
     const pid_t child = fork();
     if (child == 0) {
         LockFile lock;
@@ -352,7 +352,7 @@ BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
                 names.push_back(entry.path().filename());
         return names;
     };
-    // A process that is killed while it writes a file, by a limit on the size of files.
+    // A process is killed, by a limit on the size of files, while it writes a file.
     const pid_t child = fork();
     if (child == 0) {
         const rlimit no_core{0, 0}, no_more{100, 100};
@@ -363,7 +363,7 @@ BOOST_AUTO_TEST_CASE(what_killed_writers_leave_is_swept)
         _exit(0);
     }
     BOOST_REQUIRE(child > 0);
-    const auto end = [](pid_t process) { // a zombie, as yet
+    const auto end = [](pid_t process) { // waits, but leaves a zombie
         siginfo_t information;
         return waitid(P_PID, id_t(process), &information, WEXITED | WNOWAIT) == 0 &&
                information.si_code != CLD_EXITED;
@@ -457,8 +457,8 @@ BOOST_AUTO_TEST_CASE(json_knows_its_lines)
     BOOST_TEST(refusal("{\n\"a\": 1e999}") == "m.json:2: a number is out of range");
     BOOST_TEST(refusal("\n" + std::string(100000, '[')) ==
                "m.json:2: objects and lists are nested more than 64 deep; nest them less");
-    const Located root = Located::parse("m.json",
-                                        "{ \"x/y\": [\n 1,\n 2\n\n], \"z\": {\n\n\"k\": \"v\" } }");
+    const SourceJson root = SourceJson::parse(
+        "m.json", "{ \"x/y\": [\n 1,\n 2\n\n], \"z\": {\n\n\"k\": \"v\" } }");
     BOOST_TEST(root.field("x/y").list()[1].line() == 3);
     BOOST_TEST(root.field("z").field("k").line() == 7);
     BOOST_TEST(root.field("z").line() == 5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// povray-integral's options, read as POV-Ray reads them.
+// Tests that povray-integral's options are read as POV-Ray reads them.
 #include "integral/batch/renderer_options.h"
 
 #include <boost/test/unit_test.hpp>
@@ -10,7 +10,7 @@ BOOST_AUTO_TEST_SUITE(batch_renderer_options)
 
 namespace {
 
-/// "k:NAME=VALUE" of a keyword, "l:NAME=VALUE" of letters, "p:PATH", separated by " | ".
+/// "k:NAME=VALUE" for a keyword, "l:NAME=VALUE" for letters, "p:PATH", separated by " | ".
 std::string read(const std::string& word)
 {
     std::string text;

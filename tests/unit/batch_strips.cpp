@@ -4,7 +4,7 @@
 #include "integral/base/file_bytes.h"
 #include "integral/batch/strips.h"
 #include "integral/io/codecs.h"
-#include "integral/lightfield/first_samples.h"
+#include "integral/reconstruction/light_field_image.h"
 #include "tests/unit/pixel_origins.h"
 
 #include <cstdlib>
@@ -15,7 +15,7 @@ using namespace pixel_origins;
 
 namespace {
 
-/// A folder of its own, removed at the end.
+/// A temporary folder, removed by the destructor.
 struct Folder {
     Folder()
     {
@@ -100,15 +100,15 @@ template <class Sample> void is_whole_again(int width, int height, int channels,
                                                                   : decode_png(bytes);
     BOOST_TEST(whole.image.height == height);
     BOOST_TEST((whole.image.samples == frame.image.samples));
-    FrameMetadata wanted = frame_metadata_from_json(frame.document);
-    wanted.render->seconds = double(strips.size());
-    BOOST_TEST(whole.document == to_json(wanted));
+    FrameMetadata requested = frame_metadata_from_json(frame.document);
+    requested.render->seconds = double(strips.size());
+    BOOST_TEST(whole.document == to_json(requested));
     BOOST_TEST(whole.pixel_pitch->x ==
                    (std::is_same<Sample, float>::value ? 25.4 / float(300) : 1000. / 11811),
                boost::test_tools::tolerance(1e-6));
 }
 
-/// The message of an InputError that merging these files throws; empty: none.
+/// The message of the InputError that merging these files throws; empty if it throws none.
 std::string refusal(const std::vector<std::string>& files, const std::string& output)
 {
     try {
@@ -140,8 +140,7 @@ BOOST_AUTO_TEST_CASE(strips_hold_every_row_once)
                         BOOST_REQUIRE(strip.first == next);
                         BOOST_REQUIRE(strip.rows > 0);
                         BOOST_REQUIRE(strip.first % side == 0);
-                        BOOST_REQUIRE((strip.first - strip.above) % side == 0); // the blocks are
-                                                                                // the whole frame's
+                        BOOST_REQUIRE((strip.first - strip.above) % side == 0); // frame's blocks
                         BOOST_REQUIRE(strip.above >= std::min(strip.first, reach));
                         next = strip.first + strip.rows;
                         BOOST_REQUIRE(strip.below >= std::min(height - next, reach));
@@ -170,8 +169,8 @@ BOOST_AUTO_TEST_CASE(options_name_rows_from_one)
 
 BOOST_AUTO_TEST_CASE(anti_aliasing_looks_no_further)
 {
-    // Compares with the neighbours that anti-aliasing itself visits, the farthest of which must be
-    // needed.
+    // The margin must equal the distance in rows of the farthest neighbour that anti-aliasing
+    // visits.
     std::mt19937 random(3);
     for (int round = 0; round < 60; ++round) {
         CameraParameters p = parameters_of(arrangements[round % 3]);
@@ -181,7 +180,7 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_looks_no_further)
         p.mapping = LensMapping::closest;
         p.capture_aperture = Vec2{1e4, 1e4};
         const IntegralCamera camera = camera_of(p, 90, 110);
-        FirstSamples samples(camera);
+        LightFieldImage samples(camera);
         for (int y = 0; y < 110; ++y)
             for (int x = 0; x < 90; ++x)
                 if (const auto ray = camera.optics
@@ -194,7 +193,7 @@ BOOST_AUTO_TEST_CASE(anti_aliasing_looks_no_further)
             for (int x = 0; x < 90; ++x)
                 samples.for_each_neighbour(
                     x, y, [&](int, int j) { furthest = std::max(furthest, std::abs(j - y)); });
-        BOOST_TEST(furthest == rows_looked_at(p.sheet, camera.film),
+        BOOST_TEST(furthest == refine_margin_rows(p.sheet, camera.film),
                    int(p.sheet.arrangement) << " " << p.sheet.pitch << " " << p.sheet.slant);
     }
 }
@@ -243,8 +242,8 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_named)
 
 BOOST_AUTO_TEST_CASE(errors_of_strips_are_the_frames)
 {
-    // Halves of equal weight, of which one is perfect; each interval is a tenth of the mean square
-    // or more.
+    // Two halves of equal weight, one of them without error. Each interval reaches at least a tenth
+    // of the mean square to either side.
     ErrorEstimate good, bad;
     good.method = bad.method = ErrorMethod::split_halves;
     good.pixels = good.lit_pixels = bad.pixels = bad.lit_pixels = 100;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which measured setting is the best for a goal, and the command line that it makes.
+// Tests which measured setting is the best for a goal, and the command line for it.
 #include "integral/batch/tune.h"
 
 #include <boost/test/unit_test.hpp>
@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(the_best_for_a_goal)
     BOOST_TEST(!best_point(points(), {{}, 5}));
     BOOST_TEST(!best_point(points(), {0.02, 20}));
     BOOST_TEST(!best_point(points(), {{}, {}}));
-    // An estimate that may be anything down to 0 counts with its upper end.
+    // An estimate whose interval reaches down to 0 counts by its upper bound.
     std::vector<TunePoint> vague = points();
     vague[1].error.rms = vague[1].error.low = 0;
     vague[1].error.high = 0.03;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Checks FLIP against values worked out by hand and against a slow computation of its own
+// Checks FLIP against values worked out by hand and against an independent, slow implementation
 // (flip_oracle.h).
 #include "integral/compare/comparison_rules.h"
 #include "integral/compare/flip.h"
@@ -51,7 +51,7 @@ struct MapAndFigures {
     FlipFigures figures;
 };
 
-/// The map and the figures, of rows that are handed over `rows` at a time.
+/// Map and figures of FLIP when the rows are added `rows` at a time.
 MapAndFigures flip_of_pictures(const flip_oracle::Picture& a, const flip_oracle::Picture& b,
                                const FlipSettings& settings, int rows)
 {
@@ -183,8 +183,8 @@ BOOST_AUTO_TEST_CASE(exposures_from_the_median_and_the_greatest_luminance)
     for (const float luminance : {0.5f, 2.0f, 64.0f, 2.0f, 0.1f})
         meter.add(luminance);
     const FlipExposures e = meter.exposures();
-    BOOST_TEST(e.stop - e.start == 5, boost::test_tools::tolerance(1e-4)); // 64 to 2
-    BOOST_TEST((e.count == 5 || e.count == 6)); // of 5 stops, as the median rounds
+    BOOST_TEST(e.stop - e.start == 5, boost::test_tools::tolerance(1e-4)); // log2(64 / 2)
+    BOOST_TEST((e.count == 5 || e.count == 6)); // 5 stops, up to the rounding of the median
     BOOST_TEST(e.at(0) == e.start);
     BOOST_TEST(e.at(e.count - 1) == e.stop, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(double(flip_oracle::aces(64 * std::exp2(flip_oracle::Real(e.start)))) == 0.85,
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(exposures_of_dark_pictures)
     black.add(NAN);
     BOOST_TEST(black.exposures().count == 1);
     BOOST_TEST(black.exposures().start == 0);
-    // More than half is black: the median of the rest.
+    // More than half is black: the median of the other pixels counts.
     FlipExposureMeter mostly;
     for (const float luminance : {0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 4.0f, 16.0f})
         mostly.add(luminance);
@@ -223,8 +223,7 @@ BOOST_AUTO_TEST_CASE(infinite_light_is_shown_white)
 
 BOOST_AUTO_TEST_CASE(quartiles_are_weighted_by_the_values)
 {
-    // Halves far from each other: left black and white (0.967), right greys of L* 50 and 60
-    // (0.288).
+    // Two very different halves: left black and white (0.967), right greys of L* 50 and 60 (0.288).
     auto a = flat(200, 20, {0, 0, 0}), b = flat(200, 20, {1, 1, 1});
     const auto grey = [](double l) { return flip_oracle::Real(std::pow((l + 16) / 116, 3)); };
     for (int y = 0; y < 20; ++y)

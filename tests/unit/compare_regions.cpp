@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(differences_in_an_ignored_rectangle_do_not_count)
     BOOST_TEST(
         stored_pixel(difference_picture(a.image, b.image, 1, settings.weights.get()), 12, 12).r ==
         0);
-    // One pixel less: it counts.
+    // With a region that is one row shorter, the pixels of that row count.
     const Comparison d = compare(a, b, settings_with({region_of("10,10,10x9", 0)}, a));
     BOOST_TEST(d.rmse > 0);
     BOOST_TEST(d.not_finite.unequal == 1);
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(differences_in_an_ignored_rectangle_do_not_count)
 
 BOOST_AUTO_TEST_CASE(weights_multiply_squares)
 {
-    // Of 100 pixels one differs by 0.5 and has weight 3: 3 * 0.25 / (99 + 3).
+    // One of 100 pixels differs by 0.5 and has weight 3: 3 * 0.25 / (99 + 3).
     const Frame a = flat(10, 10, 0.5f);
     Frame b = a;
     store_pixel(b.image, 4, 5, {1, 1, 1, 1});
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(weights_multiply_squares)
 
 BOOST_AUTO_TEST_CASE(lenses_are_regions)
 {
-    // 4 x 3 square lenses of 5 x 5 pixels, as in replay_compare.
+    // 4 x 3 square lenses of 5 x 5 pixels, as in compare_pictures.cpp.
     Frame a = flat(20, 15, 0.5f);
     FrameMetadata m;
     m.sheet = {Arrangement::square, 1, 3, 1.5, 0, {0.5, 0}};
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(a_mask_weighs)
                                                       std::nullopt);
     Frame c = a;
     store_pixel(c.image, 3, 3, {0.6f, 0.5f, 0.5f, 1});
-    BOOST_TEST(compare(a, b, settings).rmse == 0.25, exactly); // of the one pixel
+    BOOST_TEST(compare(a, b, settings).rmse == 0.25, exactly); // of the only pixel that counts
     BOOST_TEST(compare(a, c, settings).rmse == 0.1 / std::sqrt(3), exactly);
     BOOST_CHECK_THROW(PixelWeights({}, make_image<std::uint8_t>(10, 10, 3, {}), 10, 10, {}),
                       std::invalid_argument); // all black

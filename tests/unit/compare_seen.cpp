@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Checks the words that name eyes, and limits for what eyes see.
+// Checks the words that name eyes, and limits for the views that eyes see.
 #include "integral/compare/compare_limits.h"
 #include "integral/compare/seen.h"
 

@@ -29,8 +29,8 @@ Colour paint(double x, double y, double length)
     return {float(0.5 + 0.15 * r), float(0.5 + 0.15 * g), float(0.5 + 0.15 * b), 1};
 }
 
-/// What two planes look like from 5 x 5 eyes: one with the disparity `back`, and in front of it a
-/// square with the disparity `front`.
+/// Two planes as seen from 5 x 5 eyes: one with the disparity `back`, and in front of it a square
+/// with the disparity `front`.
 struct TwoPlanes {
     static constexpr int size = 96, grid = 5;
     double back, front;
@@ -43,7 +43,7 @@ struct TwoPlanes {
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 const double px = x - 0.5 * size, py = y - 0.5 * size;
-                const auto on = [&](double disparity) { // where the middle view has the point
+                const auto on = [&](double disparity) { // the point's place in the middle view
                     return Vec2{px + disparity * eye_x, py - disparity * eye_y};
                 };
                 const Vec2 near = on(front), far = on(back);
@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(lenses_of_very_many_pixels_give_255_views_each_way)
     BOOST_TEST(views.others.size() == 254u);
     BOOST_TEST(views.scale->ratio * length(views.places.right) == zone.x / 256,
                boost::test_tools::tolerance(1e-12));
-    // A lens of another picture: 2700 pixels, of which the film has 2400.
+    // A lens larger than the film: 2700 pixels against 2400.
     geometry.sheet.pitch = 270;
     geometry.sheet.thickness = 700;
     geometry.aperture = *filling_aperture(geometry.sheet, 3000);
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(dark_pixels_are_not_measured)
     geometry.sheet = {Arrangement::square, 1.1, 3, 1.55, 0, {}};
     geometry.film = {220, 110, {0.11, 0.11}};
     geometry.aperture = *filling_aperture(geometry.sheet, 300);
-    geometry.aperture.width *= 0.6; // underfilled: dark bands beside each micro-image
+    geometry.aperture.width *= 0.6; // underfilled: dark bands at the sides of each micro-image
     const ViewSet views = view_set(frame_of_plane(geometry, 15), 2, {});
     const auto map = multibaseline(views, {}, 2, {});
     BOOST_REQUIRE(map);
@@ -231,8 +231,8 @@ BOOST_AUTO_TEST_CASE(scale_and_its_inverse)
 
 BOOST_AUTO_TEST_CASE(scores_are_the_toolkits)
 {
-    // Ten pixels with known errors, one of which is not finite. The lower quartile of the other
-    // nine is the third least.
+    // Ten pixels with known errors, one of them not finite. The lower quartile of the other nine is
+    // the third smallest.
     ViewSet views;
     views.width = 10;
     views.height = 1;
@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(scores_are_the_toolkits)
 
 BOOST_AUTO_TEST_CASE(planes_are_told_by_the_truth_and_scored_by_their_bumps)
 {
-    // A plane beside a bowl. An error that grows evenly over the plane leaves it smooth; one that
+    // A plane next to a bowl. An error that grows evenly over the plane leaves it smooth; one that
     // is curved counts as bumpiness.
     ViewSet views;
     views.width = 40;

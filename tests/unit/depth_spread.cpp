@@ -30,8 +30,8 @@ ViewSet grey_set(int width, int height)
     return views;
 }
 
-/// What a checked floor of disparity 0 looks like from 5 x 5 eyes, in which faint stripes mirror of
-/// disparity -1.2.
+/// A chequered floor of disparity 0 as seen from 5 x 5 eyes; it reflects faint stripes of disparity
+/// -1.2.
 ViewSet polished_floor(int size)
 {
     constexpr int grid = 5, tile = 16;
@@ -59,9 +59,9 @@ BOOST_AUTO_TEST_SUITE(depth_spread)
 
 BOOST_AUTO_TEST_CASE(a_plain_wall_is_as_far_as_its_farthest_edges)
 {
-    // A square of another colour before a wall, on which a shadow's edge shows. Only pixels near
-    // edges have a measured depth, and for those of the wall beside the square it is wrong: it is
-    // that of the square.
+    // A square of another colour in front of a wall, on which a shadow's edge shows. Only pixels
+    // near edges have a measured depth; on the wall next to the square it is wrong, namely the
+    // square's.
     constexpr int size = 160;
     ViewSet views = grey_set(size, size);
     std::vector<float> disparity(views.pixels(), 0), confidence(views.pixels(), 0);
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(a_plain_wall_is_as_far_as_its_farthest_edges)
                 confidence[i] = 0.4f;
             }
         }
-    spread_from_sure_pixels(views, 40, 2, disparity, confidence);
+    propagate_confident(views, 40, 2, disparity, confidence);
     for (int y = 2; y < size - 2; y += 3)
         for (int x = 2; x < size - 2; x += 3) {
             const std::size_t i = std::size_t(y) * size + x;

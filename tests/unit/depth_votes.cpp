@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_SUITE(depth_votes)
 
 BOOST_AUTO_TEST_CASE(a_half_of_the_views_has_none_of_the_middle_row_or_column)
 {
-    // Of 24 views around the middle, the ten on one side agree, and none of the others.
+    // Among 24 views around the middle, the ten on one side agree, and the others do not.
     const std::function<bool(Vec2)> sides[] = {
         [](Vec2 s) { return s.x > 0; }, [](Vec2 s) { return s.x < 0; },
         [](Vec2 s) { return s.y > 0; }, [](Vec2 s) { return s.y < 0; }};
@@ -87,10 +87,10 @@ BOOST_AUTO_TEST_CASE(a_view_has_no_vote_on_what_it_does_not_show)
 {
     const struct {
         double disparity;
-        int first, last; ///< columns (or rows) of the picture's begin and end without a vote
+        int first, last; ///< columns (or rows) without a vote at the picture's start and end
     } cases[] = {{0, 0, 0}, {1, 0, 1}, {-1, 1, 0}, {0.5, 1, 2}, {-0.5, 2, 1}, {2.25, 0, 4}};
     for (const auto& c : cases) {
-        // A view that is shifted votes against the disparity, and one that is not votes for it.
+        // A shifted view votes against the disparity, an unshifted one for it.
         const auto votes_by = [&](Vec2 shift) {
             return mean_votes(set_of({flat(shift, other), flat({0, 0}, grey)}), plain_settings(),
                               c.disparity);
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(views_without_light_do_not_count_but_few_are_not_trusted)
     const auto mean = mean_votes(set_of(std::move(others)), plain_settings());
     BOOST_TEST(at(mean, 2, 4) == 0);
     BOOST_TEST(std::fabs(at(mean, 3, 4) - 1) < 1e-6);
-    BOOST_TEST(std::fabs(at(mean, 4, 4) - 2 / 3.0f) < 1e-6); // of 3, which are 15% of 20
+    BOOST_TEST(std::fabs(at(mean, 4, 4) - 2 / 3.0f) < 1e-6); // divided by 3, which is 15% of 20
     BOOST_TEST(std::fabs(at(mean, 5, 4) - 1) < 1e-6);
 }
 

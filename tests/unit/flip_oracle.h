@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// FLIP once more, for tests: slow, in long double, with the filters as whole squares of weights,
-// written from the equations of Andersson and others (2020, 2021). Shares nothing with
-// integral/compare but std::vector.
+// A second implementation of FLIP, for tests: slow, in long double, with the filters as whole
+// squares of weights, written from the equations of Andersson and others (2020, 2021). Shares
+// nothing with integral/compare but std::vector.
 #ifndef TESTS_UNIT_FLIP_ORACLE_H
 #define TESTS_UNIT_FLIP_ORACLE_H
 
@@ -188,7 +188,7 @@ inline std::vector<Real> map_of(const Picture& a, const Picture& b, Real ppd)
     return map;
 }
 
-/// The light that ACES' curve (Narkowicz's fit, exposed by 0.6) shows.
+/// Tone-maps light by the ACES curve (Narkowicz's fit, exposure factor 0.6).
 inline Real aces(Real light)
 {
     const Real x = Real(0.6L) * std::max(light, Real(0));

@@ -27,7 +27,7 @@ namespace {
 std::string u16(unsigned v) { return {char(v >> 8), char(v)}; }
 std::string u32(unsigned v) { return u16(v >> 16) + u16(v & 0xffff); }
 
-/// Exif of an orientation and, if `pixels` > 0, of that many pixels a unit: 2 inches, 3 cm.
+/// Exif with an orientation and, if `pixels` > 0, that many pixels per unit (2: inch, 3: cm).
 std::string exif(unsigned orientation, unsigned pixels = 0, unsigned unit = 2)
 {
     const std::string text = "MM\0\x2a"s + u32(8) + u16(4) + u16(0x112) + u16(3) + u32(1) +
@@ -82,7 +82,7 @@ Image abcdef()
     return image;
 }
 
-/// A picture's ICC profile: RGB of these primaries and a power of light.
+/// An ICC profile of RGB with these primaries and this gamma.
 std::string profile_of(const cmsCIExyYTRIPLE& primaries, double gamma)
 {
     const cmsCIExyY white{0.3127, 0.3290, 1};
@@ -141,7 +141,7 @@ std::string exr_in_windows(const Imath::Box2i& display, const Imath::Box2i& data
     return bytes_of(folder / "a.exr");
 }
 
-/// The red of every pixel, in bands of some rows.
+/// The red samples of all pixels, read `rows` rows at a time.
 std::vector<float> reds_in_bands(const std::string& bytes, int rows)
 {
     const InputFile file = InputFile::of_bytes(bytes);
@@ -162,8 +162,8 @@ std::vector<float> reds_in_bands(const std::string& bytes, int rows)
 
 BOOST_AUTO_TEST_CASE(pictures_are_turned_upright)
 {
-    const char* wanted[] = {"abc/def",  "cba/fed",  "fed/cba",  "def/abc",
-                            "ad/be/cf", "da/eb/fc", "fc/eb/da", "cf/be/ad"};
+    const char* requested[] = {"abc/def",  "cba/fed",  "fed/cba",  "def/abc",
+                               "ad/be/cf", "da/eb/fc", "fc/eb/da", "cf/be/ad"};
     const Folder folder;
     for (unsigned orientation = 1; orientation <= 8; ++orientation)
         BOOST_TEST_CONTEXT("orientation " << orientation)
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(pictures_are_turned_upright)
             TIFFRewriteDirectory(tiff);
             TIFFClose(tiff);
             const DecodedImage tiff_shown = shown(bytes_of(path));
-            BOOST_TEST(letters(tiff_shown.image) == wanted[orientation - 1]);
+            BOOST_TEST(letters(tiff_shown.image) == requested[orientation - 1]);
             BOOST_TEST(tiff_shown.pixel_pitch->x == (orientation < 5 ? 0.1 : 0.2),
                        boost::test_tools::tolerance(1e-6));
             BOOST_TEST(reds_in_bands(bytes_of(path), 1) == reds_in_bands(bytes_of(path), 3),
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(pictures_are_turned_upright)
                               chunk = "eXIf" + exif(orientation);
             for (const char* before : {"IDAT", "IEND"})
                 BOOST_TEST(letters(shown(with_chunk(png, chunk, before)).image) ==
-                           wanted[orientation - 1]);
+                           requested[orientation - 1]);
         }
 }
 
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(photographs_are_turned_upright)
     BOOST_TEST(turned.image.height == 32);
     BOOST_TEST(stored_pixel(turned.image, 8, 4).g > 0.9); // its left is on top
     BOOST_TEST(stored_pixel(turned.image, 8, 28).g < 0.1);
-    // Exif that is cut off says what it can; nonsense is upright.
+    // Truncated Exif counts as far as it can be read; an invalid orientation counts as upright.
     BOOST_TEST(shown(with_segment(jpeg, '\xe1', "Exif\0\0"s + exif(6).substr(0, 30))).image.width ==
                16);
     BOOST_TEST(shown(with_segment(jpeg, '\xe1', "Exif\0\0"s + exif(77))).image.width == 32);
@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(jpegs_say_their_resolution)
         return "JFIF\0\1\1"s + unit + u16(x) + u16(y) + "\0\0"s;
     };
     BOOST_TEST(!shown(jpeg).pixel_pitch.has_value());
-    BOOST_TEST(!pitch('\xe0', jfif(0, 300, 300)).has_value()); // an aspect alone
+    BOOST_TEST(!pitch('\xe0', jfif(0, 300, 300)).has_value()); // only an aspect ratio
     BOOST_TEST(pitch('\xe0', jfif(1, 300, 600))->x == 25.4 / 300);
     BOOST_TEST(pitch('\xe0', jfif(1, 300, 600))->y == 25.4 / 600);
     BOOST_TEST(pitch('\xe0', jfif(2, 100, 100))->x == 0.1);
@@ -241,15 +241,15 @@ BOOST_AUTO_TEST_CASE(embedded_profiles_are_converted)
     for (int x = 0; x < 4; ++x)
         BOOST_TEST_CONTEXT("colour " << x)
         {
-            const Colour wanted = adobe_in_srgb(colours[std::size_t(x)]);
-            check_close(stored_pixel(shown(encode_png({image, "", {}, adobe})).image, x, 0), wanted,
-                        0.002);
+            const Colour requested = adobe_in_srgb(colours[std::size_t(x)]);
+            check_close(stored_pixel(shown(encode_png({image, "", {}, adobe})).image, x, 0),
+                        requested, 0.002);
             check_close(stored_pixel(shown(encode_tiff({image, "", {}, adobe})).image, x, 0),
-                        wanted, 0.002);
+                        requested, 0.002);
             check_close(stored_pixel(shown(encode_png({narrow, "", {}, adobe})).image, x, 0),
-                        wanted, 0.006);
+                        requested, 0.006);
             if (x == 0)
-                check_close(stored_pixel(shown(profiled_jpeg).image, x, 0), wanted, 0.012);
+                check_close(stored_pixel(shown(profiled_jpeg).image, x, 0), requested, 0.012);
         }
     const DecodedImage png = shown(encode_png({image, "", {}, adobe}));
     BOOST_CHECK(same_encoding(png.image.encoding, Encoding()));
@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(a_profile_of_no_use_is_said)
                                                "no profile at all, but long enough "
                                                "for its header to be looked at"}));
     BOOST_CHECK(read_frame(folder / "a.tif").image.samples == image.samples);
-    read_frame(folder / "a.tif"); // said once
+    read_frame(folder / "a.tif"); // no second notice
     receive_notices({});
     BOOST_REQUIRE(lines.size() == 1u);
     BOOST_TEST(lines[0] == folder / "a.tif" + ": its colour profile is not used: it is no ICC "

@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(formats_convert_what_they_cannot_hold)
     BOOST_TEST(back.g == 0.5f, boost::test_tools::tolerance(1e-4f));
     BOOST_TEST(back.a == 0.5f, boost::test_tools::tolerance(1e-4f));
 
-    Image dim = make_image<std::uint8_t>(1, 1, 3, linear); // a bare TIFF is taken for sRGB
+    Image dim = make_image<std::uint8_t>(1, 1, 3, linear); // a bare TIFF is assumed to be sRGB
     store_pixel(dim, 0, 0, {0.2f, 0.2f, 0.2f, 1});
     write_frame(folder / "a.tif", {dim, {}});
     BOOST_TEST(stored_pixel(read_frame(folder / "a.tif").image, 0, 0).r == 124 / 255.0f);
@@ -361,7 +361,7 @@ BOOST_AUTO_TEST_CASE(writing_is_whole_or_not_at_all)
     write_file(path, "second");
     BOOST_TEST(bytes_of(path) == "second");
     BOOST_TEST((fs::status(path).permissions() == fs::perms(0640)));
-    BOOST_TEST(folder.names().size() == 1u); // nothing is left beside it
+    BOOST_TEST(folder.names().size() == 1u); // no other file is left
 
     fs::create_symlink("a.txt", folder / "link");
     write_file(folder / "link", "third");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests JPEGs of other programs: CMYK, and what a decoder reads with warnings. Expected values are
-// those that were stored, by the format's definition.
+// the stored ones, by the format's definition.
 #include "integral/io/codecs.h"
 #include "tests/unit/picture_bytes.h"
 
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(jpegs_that_a_decoder_recovers)
         BOOST_REQUIRE(notices_of(bytes).size() == 1u);
         BOOST_TEST(notices_of(bytes)[0].find("read all the same") != std::string::npos);
     }
-    // Of 64 rows of blocks one is missing, then half of them.
+    // First one of 64 rows of blocks is missing, then half of them.
     const std::string short_of_a_row = jpeg.substr(0, jpeg.size() - jpeg.size() / 64);
     BOOST_REQUIRE(notices_of(short_of_a_row).size() == 1u);
     BOOST_TEST(notices_of(short_of_a_row)[0].find("may be wrong") != std::string::npos);

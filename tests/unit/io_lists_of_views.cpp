@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests files that hold several pictures: layers, parts and views of OpenEXR, and indices of MPO.
+#include "integral/base/memory.h"
 #include "integral/base/notices.h"
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
-#include "integral/base/memory.h"
 #include "integral/io/mpo_file.h"
-#include "integral/output/given_views.h"
+#include "integral/views/view_input.h"
 #include "tests/unit/picture_files.h"
 
 #include <boost/test/unit_test.hpp>
@@ -103,7 +103,7 @@ template <class Item> std::vector<Item> joined(std::vector<Item> a, const std::v
     return a;
 }
 
-/// The first red of a picture, and what is said of it.
+/// The first red sample of a picture, and the notices about it.
 struct Result {
     float red = 0;
     std::vector<std::string> notices;
@@ -131,7 +131,7 @@ std::string refusal(const std::string& path)
     return "";
 }
 
-/// The first reds of the views in a file.
+/// The first red sample of each view in a file.
 std::vector<float> reds_of(const std::string& path)
 {
     std::vector<float> reds;
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(stereo_pictures_are_views)
 
     std::vector<std::string> lines;
     receive_notices([&](const std::string& line) { lines.push_back(line); });
-    const GivenViews given = read_given_views({path}, {});
+    const ViewInput given = read_given_views({path}, {});
     receive_notices({});
     BOOST_TEST(given.grid.columns == 2);
     BOOST_TEST(given.grid.rows == 1);
@@ -216,8 +216,8 @@ BOOST_AUTO_TEST_CASE(three_views_keep_the_order_of_the_file)
     const std::string path = folder / "a.exr";
     write_exr(path, joined(joined(colours("c.", 5), colours("", 1)), colours("b.", 3)),
               {"z", "c", "b"});
-    const std::vector<float> wanted = {1, 5, 3};
-    BOOST_TEST(reds_of(path) == wanted, boost::test_tools::per_element());
+    const std::vector<float> requested = {1, 5, 3};
+    BOOST_TEST(reds_of(path) == requested, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(an_index_that_repeats_a_picture)
@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(an_index_that_repeats_a_picture)
     std::string mpo = mpo_of_views({one, one, one}, 90, 60);
     write_bytes(path, mpo);
     BOOST_TEST(read_list_of_views(path).size() == 3u);
-    // The third entry's offset becomes that of the second.
+    // The third entry's offset becomes the second's.
     const auto entries = mpo.find("\x20\x02\x00\x02"s);
     BOOST_REQUIRE(entries != std::string::npos);
     mpo.replace(entries + 40, 4, mpo.substr(entries + 24, 4));
@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(an_index_has_a_limit)
 
 BOOST_AUTO_TEST_CASE(all_pictures_are_weighed_before_one_is_read)
 {
-    // Pictures whose headers say 30000 x 30000 pixels, more of them than there is memory for.
+    // Pictures with 30000 x 30000 pixels by their headers, more than fit in memory.
     constexpr double bytes = 30000.0 * 30000 * 3;
     const int count = int(std::min(free_memory() / bytes, 250.0)) + 2;
     const Folder folder;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder with files like those of /proc and /sys.
+/// A folder with files as in /proc and /sys.
 struct System {
     System()
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Tests what multi-picture files say of their views (CIPA DC-007-2009), byte by byte.
+// Tests the fields of multi-picture files that describe views (CIPA DC-007-2009), byte by byte.
 #include "integral/io/mpo_file.h"
 
 #include <boost/test/unit_test.hpp>
@@ -19,8 +19,8 @@ std::uint32_t number_at(const std::string& bytes, std::size_t at, int count)
     return value;
 }
 
-/// The fraction that a field (type 5 or 10, one value) of a picture's index has. `picture`: where
-/// it begins in the file.
+/// The value of a rational field (type 5 or 10, one value) in a picture's index. `picture`: the
+/// picture's offset in the file.
 std::optional<double> fraction_of(const std::string& bytes, std::size_t picture, std::uint32_t tag)
 {
     const std::size_t header = bytes.find(std::string("MPF\0", 4), picture) + 4;

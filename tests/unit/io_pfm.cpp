@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Portable float maps: there and back, and those of other programs.
+// Tests portable float maps: round trips, and files of other programs.
 #include "integral/base/file_bytes.h"
 #include "integral/io/pfm_file.h"
 

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
-/// A file's path in a folder of its own, removed at the end.
+/// A temporary folder, removed by the destructor.
 struct Folder {
     std::string path;
     Folder()
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(points_stand_where_the_axes_say)
         BOOST_TEST(high.y < low.y - 300);
         BOOST_TEST(std::fabs(middle.x - 0.5 * (low.x + high.x)) < 0.6);
         BOOST_TEST(std::fabs(middle.y - 0.5 * (low.y + high.y)) < 0.6);
-        BOOST_TEST(at(101, 10).count == 0); // beyond an end that was given
+        BOOST_TEST(at(101, 10).count == 0); // beyond a given end
         BOOST_TEST(at(10, 0.5).count == 0);
     }
 }
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(error_bars_reach_from_low_to_high)
     plot.y.high.reset();
     plot.series[0].high = {90};
     BOOST_TEST(blue_of(plot).count > bare.count); // the axis holds the bar, too
-    // on a logarithmic axis, one that ends below 0 has no lower end
+    // on a logarithmic axis, a bar that ends below 0 has no lower end
     plot.y = axis(true, 1.0, 100.0);
     plot.series[0].low = {-1};
     BOOST_TEST(blue_of(plot).count > bare.count + 100);
@@ -257,8 +257,7 @@ BOOST_AUTO_TEST_CASE(the_same_plot_is_the_same_bytes)
     const std::string svg = plot_bytes(plot, PlotFormat::svg);
     BOOST_TEST(svg.find("<title>a &lt; b &amp; c &gt; \u2212d</title>") != std::string::npos);
     BOOST_TEST(svg.find("width=\"900") != std::string::npos);
-    for (const char* word : {"nan", "inf", "<use", "<text", "surface"}) // text is outlines, and all
-                                                                        // of it numbers
+    for (const char* word : {"nan", "inf", "<use", "<text", "surface"}) // outlines, finite numbers
         BOOST_TEST(svg.find(word) == std::string::npos, word);
 }
 

@@ -48,10 +48,10 @@ Image in_bands(const std::string& bytes, int most)
     return all;
 }
 
-void check_bands(const std::string& bytes, const Image& wanted)
+void check_bands(const std::string& bytes, const Image& requested)
 {
     for (const int most : {1, 7, 16, height})
-        BOOST_CHECK(in_bands(bytes, most).samples == wanted.samples);
+        BOOST_CHECK(in_bands(bytes, most).samples == requested.samples);
 }
 
 /// An 8-bit RGB PNG whose rows come in seven passes.
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(bands_are_written_as_the_whole)
 
 BOOST_AUTO_TEST_CASE(metadata_is_read_without_pixels)
 {
-    // Pixels that cannot be unpacked, and the document before or behind them.
+    // Files whose pixels cannot be unpacked, with the document before or after the pixels.
     const Folder folder;
     FrameMetadata metadata;
     metadata.sheet.pitch = 2.5;
@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_not_finished_leaves_nothing)
     {
         OutputFile file(path);
         file.write(0, large.data(), large.size());
-        file.write(5, "yz", 2); // over what is written
+        file.write(5, "yz", 2); // overwrites earlier bytes
         file.write(large.size(), "end", 3);
         char back[3];
         BOOST_TEST(file.read(4, back, 3) == 3u);
@@ -236,12 +236,12 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_not_finished_leaves_nothing)
         BOOST_TEST(file.size() == large.size() + 3);
         file.finish();
     }
-    std::string wanted = large + "end";
-    wanted.replace(5, 2, "yz");
-    BOOST_CHECK(bytes_of(path) == wanted);
+    std::string requested = large + "end";
+    requested.replace(5, 2, "yz");
+    BOOST_CHECK(bytes_of(path) == requested);
     BOOST_TEST(folder.names().size() == 1);
 
-    // A picture of which not all rows are written leaves no file.
+    // A picture with missing rows leaves no file.
     const Image image = noise<std::uint8_t>(3);
     for (const char* name : {"a.png", "a.tif", "a.exr"}) {
         PictureWriter writer = PictureWriter::of_frame(folder / name, image, std::nullopt);

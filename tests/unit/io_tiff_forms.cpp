@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Tests the forms in which other programs store TIFFs. Expected values are those that were stored,
-// by the format's definition.
+// Tests the forms in which other programs store TIFFs. Expected values are the stored ones, by the
+// format's definition.
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
 #include "tests/unit/picture_bytes.h"
@@ -19,9 +19,9 @@ BOOST_AUTO_TEST_SUITE(io_tiff_forms)
 
 namespace {
 
-constexpr int width = 37, height = 21; // no multiples of a tile or a byte
+constexpr int width = 37, height = 21; // not multiples of a tile or a byte
 
-/// How a test's TIFF is stored.
+/// The storage form of a test's TIFF.
 struct Form {
     int bits = 8, samples = 3, photometric = PHOTOMETRIC_RGB, planar = PLANARCONFIG_CONTIG,
         format = SAMPLEFORMAT_UINT, compression = COMPRESSION_ADOBE_DEFLATE, rows_a_strip = 4;
@@ -119,17 +119,17 @@ void check_tiff(const std::string& tiff, const Expected& expected, double tolera
         reader->read(band);
         for (int k = 0; k < band.height; ++k)
             for (int x = 0; x < width; ++x) {
-                const Colour wanted = expected(x, y + k);
+                const Colour requested = expected(x, y + k);
                 for (const Colour got : {stored_pixel(band, x, k), stored_pixel(whole, x, y + k)})
-                    for (const double off :
-                         {got.r - wanted.r, got.g - wanted.g, got.b - wanted.b, got.a - wanted.a})
+                    for (const double off : {got.r - requested.r, got.g - requested.g,
+                                             got.b - requested.b, got.a - requested.a})
                         worst = std::max(worst, std::fabs(off));
             }
     }
     BOOST_TEST(worst <= tolerance);
 }
 
-/// Grey or colours as they were stored, 1 at their greatest value.
+/// Grey or colours as they were stored, scaled so that their largest value is 1.
 Expected plain(const Form& form)
 {
     return [form](int x, int y) {
@@ -311,7 +311,7 @@ BOOST_AUTO_TEST_CASE(jpeg_inside_a_tiff)
 
 BOOST_AUTO_TEST_CASE(colour_differences_without_jpeg)
 {
-    Form form; // whole blocks of two rows: four lights, Cb and Cr
+    Form form; // whole blocks of two rows: four lumas, Cb and Cr
     form.photometric = PHOTOMETRIC_YCBCR;
     form.compression = COMPRESSION_NONE;
     const Folder folder;
@@ -354,8 +354,8 @@ BOOST_AUTO_TEST_CASE(further_pages_of_a_tiff_are_said)
         TIFFWriteDirectory(tiff);
     }
     TIFFClose(tiff);
-    const std::vector<std::string> wanted = {"it holds 2 pictures; the first is read"};
-    BOOST_TEST(notices_of(bytes_of(path)) == wanted, boost::test_tools::per_element());
+    const std::vector<std::string> requested = {"it holds 2 pictures; the first is read"};
+    BOOST_TEST(notices_of(bytes_of(path)) == requested, boost::test_tools::per_element());
     BOOST_TEST(stored_pixel(read_frame(path).image, 0, 0).g == 100 / 255.0f);
 }
 

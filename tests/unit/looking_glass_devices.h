@@ -12,10 +12,10 @@
 namespace looking_glass_devices {
 
 struct Device {
-    std::string name; ///< of the panel of known_panels
+    std::string name; ///< the panel's name in known_panels
     double pitch, slope, center, view_cone, dpi;
     int width, height, mode;                  ///< CellPatternMode
-    std::vector<std::array<double, 6>> cells; ///< of each: R x, R y, G x, G y, B x, B y; +y up
+    std::vector<std::array<double, 6>> cells; ///< each: R x, R y, G x, G y, B x, B y; +y up
 };
 
 struct Flips {
@@ -44,7 +44,7 @@ inline const std::vector<Device>& devices()
     return all;
 }
 
-/// Those displays, and invented ones: with every pattern and number of cells, and with odd and even
+/// Those displays, and invented ones with every pattern and number of cells and with odd and even
 /// widths and heights.
 inline std::vector<Device> variants()
 {
@@ -62,7 +62,7 @@ inline std::vector<Device> variants()
     return all;
 }
 
-/// The calibration file in the form in which the display's own memory holds it.
+/// The calibration file in the form in which the display's memory holds it.
 inline std::string file_of(const Device& device, const Flips& flips)
 {
     std::ostringstream text;

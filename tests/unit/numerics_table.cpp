@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Compares the errors measured in this run with those that doc/numerics.md states. With
+// Compares the errors measured in this run with the ones in doc/numerics.md. With
 // NUMERICS_TABLE=FILE in the environment, writes the table of this run to that file, in Markdown.
 #include "tests/unit/numerics_table.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int columns = 4;
 
-/// The largest error, and the largest share of what was allowed; nothing measured where count is 0.
+/// Largest error, and largest ratio of error to allowed error. Nothing was measured if count is 0.
 struct Cell {
     long count = 0;
     double error = 0, share = 0;
@@ -28,7 +28,7 @@ struct Row {
     std::array<Cell, columns> cells;
 };
 
-/// In the order in which the tests met them.
+/// The rows, in the order in which they were first recorded.
 std::vector<Row>& rows()
 {
     static std::vector<Row> all;
@@ -132,7 +132,7 @@ void numerics::record(const std::string& what, const std::string& quantity, bool
 
 BOOST_TEST_GLOBAL_FIXTURE(TableFile);
 
-// After the suites that record.
+// Runs after the suites that record.
 BOOST_AUTO_TEST_SUITE(optics_numerics, *boost::unit_test::depends_on("optics_rays") *
                                            boost::unit_test::depends_on("optics_beam"))
 

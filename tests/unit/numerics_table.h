@@ -8,9 +8,9 @@
 
 namespace numerics {
 
-/// A row of the table, by what is computed and which of its quantities. `error` and `allowed` are
-/// in the same unit: relative, or of a unit vector. The columns: `usual` sheets, and the others by
-/// what is allowed, 1e-12, up to 1e-6, up to 0.1 (beyond that nothing is recorded).
+/// Records an error in the table's row of `what` and `quantity`. `error` and `allowed` have the
+/// same unit: relative, or of a unit vector. The columns: `usual` sheets, and the others by
+/// `allowed`: 1e-12, up to 1e-6, up to 0.1 (above that nothing is recorded).
 void record(const std::string& what, const std::string& quantity, bool usual, double error,
             double allowed);
 

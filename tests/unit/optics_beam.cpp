@@ -101,9 +101,9 @@ std::optional<Errors> sensitivity(const Case& c, const std::optional<oracle::Bea
     return decided ? std::optional(sum) : std::nullopt;
 }
 
-/// optics.md section 7: 16 eps kappa, kappa = (cosine inside / cosine outside)^2 = t^2/(t^2 - m
-/// rho^2) and the same with the cosine to the sheet's normal where the surface is curved, and the
-/// film point's rounding. At least 1e-12.
+/// The bound of optics.md section 7, at least 1e-12: 16 eps kappa, kappa = (cosine inside / cosine
+/// outside)^2 = t^2/(t^2 - m rho^2), on curved surfaces with the smaller of the cosine outside and
+/// the cosine to the sheet's normal; and the film point's rounding.
 double allowed_forward(const Case& c, const oracle::Beam& want)
 {
     const double least = double((std::min)(want.cos_outside, Real(-want.direction.z)));
@@ -172,8 +172,8 @@ std::optional<BeamRay> check_forward(const Case& c)
     return got;
 }
 
-/// Error of a film point, relative to how far it is from the sheet's centre and from the lens's
-/// point.
+/// Error of a film point, relative to the distance of the lens's point from the sheet's centre plus
+/// the path's length inside the lens.
 double film_error(const oracle::Inverse& want, const oracle::Point& film)
 {
     return double(planar(film.x - want.film.x, film.y - want.film.y) /
@@ -221,8 +221,8 @@ void check_inverse(const Case& c, Vec3 scene)
         }
         if (!want)
             return;
-        // The direction's rounding, grown by the way inside; kappa is that way over the depth.
-        // Lenticular: and the rounding of the point of the axis, which is found from the slit.
+        // The direction's rounding, magnified by the path inside; kappa is that path divided by the
+        // depth. Lenticular: also the rounding of the axis point, which is computed from the slit.
         const double kappa = double(want->length / want->depth), from = double(length(want->from));
         const double near = double(length(vector(scene) - want->from));
         double relative = kappa * (1 + (size(scene) + from) / near);
@@ -323,9 +323,8 @@ BOOST_AUTO_TEST_CASE(all_models_agree_with_100_digits)
 
 BOOST_AUTO_TEST_CASE(at_the_edge_of_what_a_lens_images)
 {
-    // From a film point that has a ray outwards to where there is none: total reflection, the
-    // slit's end, or away from the viewer. On the edge, and 1e-12 to 1e-2 of the way before and
-    // behind it.
+    // Goes outwards from a film point with a ray to one without: total reflection, the slit's end,
+    // or away from the viewer. Tests the edge, and 1e-12 to 1e-2 of the way before and behind it.
     random_sheets::Generator random(3432);
     const int most = random_sheets::count(400, 20000);
     for (int k = 0; k < most; ++k) {

@@ -38,7 +38,7 @@ struct Beam {
     Vector film;
 };
 
-/// A system that is asked for beams. `model_ior` is 1 for the pinhole.
+/// The system whose beams are computed. ior() is 1 for the pinhole.
 struct System {
     integral::LensSheet sheet;
     integral::LensModel model;
@@ -53,7 +53,7 @@ struct System {
 
 /// A point of the surface with its outward normal (towards the viewer), and the lens's frame there.
 struct Surface {
-    Vector point, normal; ///< a lenticular lens's point is any on its generating line
+    Vector point, normal; ///< lenticular: any point of the generating line
     Vector along;         ///< lenticular: the line's direction
     Vector shift;         ///< the ideal beam's parallel displacement, otherwise 0
 };
@@ -200,7 +200,7 @@ private:
     Real normal_way_;
 };
 
-/// What beam_ray computes.
+/// The oracle of beam_ray.
 inline std::optional<Beam> beam(const System& system, integral::Vec2 film_point,
                                 integral::LensIndex lens, const integral::LensPoint& at)
 {
@@ -229,7 +229,7 @@ inline std::optional<Beam> beam(const System& system, integral::Vec2 film_point,
     return out;
 }
 
-/// What film_point_imaging computes; `from` is where the light leaves the lens, `film` where it
+/// The oracle of film_point_imaging: `from` is where the light leaves the lens, `film` where it
 /// comes from.
 struct Inverse {
     Vector from;

@@ -25,7 +25,7 @@ struct Random {
     }
 };
 
-/// The place on the sheet of the straight line from an eye at (eye, -distance) to (x, z).
+/// Where the straight line from an eye at (eye, -distance) to (x, z) meets the sheet.
 Exact on_sheet(Exact eye, Exact distance, Exact x, Exact z)
 {
     return eye + (x - eye) * distance / (distance + z);
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(depths_are_those_of_the_closed_form)
         const Exact back = scene * exact / (factor * viewer - (1 - factor) * exact);
         BOOST_TEST(std::fabs(double(back / z - 1)) < 1e-80);
         if (const auto depth = preimage_depth(relief, seen)) {
-            // Near the viewer's picture of infinity, rounding of z' is a long way in z.
+            // Near the viewer's picture of infinity, a rounding of z' is a large change of z.
             const double condition = double((scene + (1 - factor) * z) / scene);
             BOOST_TEST(std::fabs(*depth / double(z) - 1) < 1e-14 * condition);
         }
@@ -162,14 +162,14 @@ BOOST_AUTO_TEST_CASE(sight_lines_go_from_the_scenes_eye_through_the_sheets_point
                 BOOST_TEST_REQUIRE(ray.has_value());
                 const SightLine line = sight_line(camera, pole_beam(*ray));
                 const Vec3 from = sheet_from_scene(camera.placement, line.origin),
-                           wanted{factor * ray->aperture_point.x, factor * ray->aperture_point.y,
-                                  -scene};
-                BOOST_TEST(is_near(from, wanted, 1e-12));
+                           requested{factor * ray->aperture_point.x, factor * ray->aperture_point.y,
+                                     -scene};
+                BOOST_TEST(is_near(from, requested, 1e-12));
                 const Vec3 way = sheet_from_scene(camera.placement, line.origin + line.direction) -
                                  from;
                 BOOST_TEST(is_near(from + (scene / way.z) * way, {ray->pole.x, ray->pole.y, 0},
                                    1e-9));
-                // A point on it is seen on the viewer's line, and found again from there.
+                // A point of the line maps onto the viewer's line and back.
                 const Vec3 point = line.origin + 40 * line.direction,
                            seen = seen_from_scene(camera, point);
                 const Vec3 on_line =
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(depth_range_is_where_the_viewer_sees_things)
     BOOST_TEST(seen_from_scene(camera, line.origin).z == -30, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(seen_from_scene(camera, line.origin + line.length * line.direction).z == 50,
                boost::test_tools::tolerance(1e-12));
-    // 0.2 * 400 / 0.8 = 100 mm is where infinity is seen.
+    // Infinity is seen at 0.2 * 400 / 0.8 = 100 mm.
     p.depth_range = Vec2{30, 101};
     BOOST_TEST(sight_line(make_camera(p, view, 600, 400), pole_beam(*ray)).length == 0);
 }
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(one_eye_for_both_is_no_parallax)
     const double scene = 30 / make_camera(parameters({}, {}), view, 600, 400).placement.units_per_mm;
     BOOST_TEST(!make_camera(parameters({}, {}), view, 600, 400).parallax.has_value());
     BOOST_TEST(!make_camera(parameters(1, scene), view, 600, 400).parallax.has_value());
-    // By default depth is true at the sheet.
+    // The default parallax shows the true depth at the sheet.
     const auto parallax = make_camera(parameters({}, 400), view, 600, 400).parallax;
     BOOST_TEST_REQUIRE(parallax.has_value());
     BOOST_TEST(parallax->factor == scene / 400);

@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(ties_go_to_the_centre_then_left_then_down)
 
 BOOST_AUTO_TEST_CASE(a_frame_of_15_pixels_a_lens_has_a_tie_in_every_fifteenth_pixel)
 {
-    // 1.27 mm at 300 dpi and an even width; ties go inwards on both sides alike
+    // 1.27 mm at 300 dpi and an even width; ties go inwards on both sides
     const Lattice lattice(LensSheet{});
     const Film film{1200, 1, {mm_per_inch / 300, mm_per_inch / 300}};
     int last = 0, changes = 0;

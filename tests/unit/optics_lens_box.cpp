@@ -11,7 +11,7 @@ BOOST_AUTO_TEST_SUITE(optics_lens_box)
 
 namespace {
 
-/// A system whose aperture is many lenses wide, or without limit, and low.
+/// A system whose aperture is low, and either many lenses wide or of unlimited width.
 System low_system(Generator& random)
 {
     System s = plain_system(random);

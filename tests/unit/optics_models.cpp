@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The lens models' properties: symmetries, round trips, what the models have in common.
-// Their accuracy is tested in optics_beam.cpp.
+// Tests the lens models' properties: symmetries, round trips, and properties common to all. Their
+// accuracy is tested in optics_beam.cpp.
 #include "integral/optics/beam.h"
 #include "tests/unit/optics_sheets.h"
 
@@ -18,7 +18,7 @@ const Arrangement arrangements[] = {Arrangement::lenticular, Arrangement::square
 const LensModel models[] = {LensModel::pinhole, LensModel::extended_pinhole, LensModel::hybrid,
                             LensModel::full};
 
-/// A sheet with usual dimensions, one of its lenses, a point of the lens and a film point behind
+/// A sheet of typical dimensions, one of its lenses, a point of the lens and a film point behind
 /// it.
 struct System {
     LensSheet sheet;

@@ -89,7 +89,7 @@ inline SlitFrame slit_frame(const integral::LensSheet& sheet, Point along, doubl
     return {plain, height};
 }
 
-/// Steps 2 to 4 of optics.md section 3; nothing on total reflection or with the slit out of reach.
+/// Steps 2 to 4 of optics.md section 3; nothing on total reflection or if the slit is missed.
 inline std::optional<Ray> ray(const integral::LensSheet& sheet, double distance,
                               integral::Vec2 film, integral::LensIndex lens, double slit_height = 0)
 {

@@ -2,8 +2,8 @@
 // Tests that pixels mapped in runs equal pixels mapped one by one, bit for bit, and so do rays
 // through given lenses; and that the mapping `automatic`, which takes short cuts, agrees with its
 // definition.
-#include "integral/lightfield/pixel_sampler.h"
 #include "integral/optics/pixel_run.h"
+#include "integral/sampling/pixel_sampler.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -112,7 +112,7 @@ Found compare_through_lenses(const IntegralCamera& camera, std::mt19937& random)
 }
 
 /// Maps by the definition of `automatic`: closest, and accurate only where the check of closest
-/// fails. Compares the results with those of map, bit for bit.
+/// fails. Compares the results with map's, bit for bit.
 void compare_with_definition(const CameraParameters& parameters, const ViewFrame& view, int width,
                              int height, const std::string& what)
 {

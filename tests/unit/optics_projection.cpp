@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE(images_are_where_the_thin_lens_equation_has_them)
         BOOST_TEST(line.origin.x == -6);
         BOOST_TEST(line.origin.y == 8);
         BOOST_TEST(line.origin.z == 0);
-        // At the lens it is at that point.
+        // It passes through that point of the lens.
         BOOST_TEST(std::abs(line.origin.x + 300 * line.direction.x - lens_point.x) < 1e-12);
         BOOST_TEST(std::abs(line.origin.y + 300 * line.direction.y - lens_point.y) < 1e-12);
     }
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(the_inverse_gives_both_points_back)
     for (int k = 0; k < 1000; ++k) {
         const double focal = between(10, 300);
         ProjectionLens lens{focal, focal * between(1.1, 4), 500};
-        if (k % 2) { // several lenses; the light goes through the one that it meets
+        if (k % 2) { // several lenses; the light goes through the lens that it meets
             lens.columns = 1 + k % 5;
             lens.rows = 1 + k % 3;
             lens.extent = {between(20, 110), between(20, 110)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests properties of every lens mapping for random sheets in the ranges of optics.md section 7:
-// accurate equals exhaustive, closest is part of auto, the rule of which lens images a point, and
-// finite results even for extreme input.
+// accurate equals exhaustive, closest is part of auto, the rule that selects the lens of a point,
+// and finite results even for extreme input.
 #include "tests/unit/optics_properties.h"
 
 #include <boost/test/unit_test.hpp>
@@ -74,8 +74,8 @@ BOOST_AUTO_TEST_CASE(accurate_is_exhaustive_and_closest_is_part_of_automatic)
 
 BOOST_AUTO_TEST_CASE(exhaustive_is_the_rule_written_down)
 {
-    // Of the lenses whose rays pass the aperture, the one nearest to its centre is taken; if others
-    // are within 1e-9 pitches of that, the rule for ties decides.
+    // The rule selects the lens whose ray passes the aperture nearest to its centre; if others are
+    // within 1e-9 pitches of that, the rule for ties decides.
     Generator random(76);
     const int systems = random_sheets::count(2000, 100000);
     int imaged = 0, tied = 0;

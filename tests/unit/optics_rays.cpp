@@ -85,7 +85,7 @@ void check_ray(const char* what, const LensSheet& sheet, double distance, Vec2 f
         const bool slit = sheet.arrangement == Arrangement::lenticular;
         const oracle::Real rounding = 16 * epsilon * (1 + want->offset_ratio);
         const double bound = std::max(1e-12, double(rounding * want->kappa));
-        // Where a slit finds the point of the axis, the aperture point's condition is 1/c^2
+        // Where the axis point is computed from a slit, the aperture point's condition is 1/c^2
         // (optics.md section 7).
         const double aperture_bound = slit ? std::max(bound, double(rounding / (want->c * want->c)))
                                            : bound;
@@ -95,7 +95,7 @@ void check_ray(const char* what, const LensSheet& sheet, double distance, Vec2 f
         Error allowed{bound, aperture_bound};
         if (error.direction > bound || error.aperture > aperture_bound) {
             // A greater error is accepted only if rounding the film point has the same effect. That
-            // is so near the end of the slit's reach, which kappa does not take into account.
+            // is so near the slit's end, which kappa does not take into account.
             BOOST_TEST(slit);
             const Error inherent = sensitivity(sheet, distance, film_point, lens, *want);
             allowed = {bound + inherent.direction, aperture_bound + inherent.aperture};

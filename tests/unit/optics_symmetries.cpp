@@ -245,8 +245,8 @@ BOOST_AUTO_TEST_CASE(aperture_points_move_against_the_film_point)
 
 BOOST_AUTO_TEST_CASE(lenses_stand_in_the_order_of_their_film_points)
 {
-    // Without a limit to the aperture, the lenses taken along a row of the film follow each other;
-    // each is displaced outwards, the farther the more (optics.md section 4).
+    // Behind an unlimited aperture, the lenses selected along a row of the film are in order;
+    // micro-images are displaced outwards, farther ones more (optics.md section 4).
     Generator random(84);
     const int systems = random_sheets::count(500, 50000);
     for (int k = 0; k < systems; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Pictures' files as bytes in memory: how they are refused, and what is said when they are read.
+// Reads picture files from bytes in memory: their error messages and notices.
 #ifndef TESTS_UNIT_PICTURE_BYTES_H
 #define TESTS_UNIT_PICTURE_BYTES_H
 

@@ -3,7 +3,7 @@
 #ifndef TESTS_UNIT_PICTURE_FILES_H
 #define TESTS_UNIT_PICTURE_FILES_H
 
-#include "integral/lightfield/image.h"
+#include "integral/frame/image.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -3,7 +3,7 @@
 #ifndef TESTS_UNIT_PIXEL_ORIGINS_H
 #define TESTS_UNIT_PIXEL_ORIGINS_H
 
-#include "integral/lightfield/pixel_sampler.h"
+#include "integral/sampling/pixel_sampler.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -49,7 +49,7 @@ inline std::vector<PixelRay> random_rays_at(const PixelSampler& sampler, Vec2 ce
 {
     std::vector<PixelRay> rays;
     for (int index = 0; index < count; ++index)
-        sampler.append_random_ray(centre, index, 0, rays);
+        sampler.append_reference_ray(centre, index, 0, rays);
     return rays;
 }
 

@@ -69,17 +69,17 @@ BOOST_AUTO_TEST_CASE(pixels_are_filled_in_between_those_of_their_own_lens)
         BOOST_TEST(size_of(finer->metadata->film).x == size_of(draft.metadata->film).x,
                    boost::test_tools::tolerance(1e-12));
         int between = 0;
-        // At the film's upper and lower edge a hexagonal lens's corner may have no pixel of the draft.
+        // At the film's upper and lower edge a hexagonal lens's corner may have no draft pixel.
         for (int y = 3; y < 105; ++y)
             for (int x = 0; x < 144; ++x) {
                 const Place place = place_of(*finer->metadata, x, y);
                 const double light = stored_pixel(finer->image, x, y).r, expected = light_of(place);
-                // At a lens's edge the light of its outermost pixels goes on; other lenses' light
-                // is 0.4 off at least.
+                // At a lens's edge the light of its outermost pixels continues; other lenses' light
+                // differs by at least 0.4.
                 BOOST_TEST(std::fabs(light - expected) < 0.1 * 0.7,
                            "pixel " << x << ", " << y << " of arrangement " << int(arrangement)
                                     << " has " << light << ", its lens " << expected);
-                // Two draft pixels inside of the edge both neighbours are the lens's own.
+                // Two draft pixels inside the edge, both neighbours belong to the lens.
                 const bool inside = std::fabs(place.from_pole.x) < 0.35 &&
                                     (arrangement == Arrangement::lenticular ||
                                      std::fabs(place.from_pole.y) < 0.2);

@@ -58,8 +58,8 @@ BOOST_AUTO_TEST_CASE(a_film_beside_the_focus_is_met_on_the_way_to_it)
 BOOST_AUTO_TEST_CASE(full_lenses_refract_where_the_line_of_sight_meets_their_surface)
 {
     // Snell's law in vectors at the sphere or cylinder of radius t (n - 1)/n, then straight on to
-    // the film, also beside the focus. The line meets the surface at depth z = height(q + z slope)
-    // of the pole nearest there: found by iteration, as from these eyes the surface rises along the
+    // the film, also out of focus. The line meets the surface at depth z = height(q + z slope) of
+    // the pole nearest there: found by iteration, as from these eyes the surface rises along the
     // line by less than the line falls.
     const struct {
         Eye eye;

@@ -98,8 +98,8 @@ inline Vec2 view_point(const FrameMetadata& m, const View& view, int x, int y)
             (0.5 - (y + 0.5) / view.height) * m.film.height * m.film.pixel_pitch.y};
 }
 
-/// A frame of a white bar, from x = -width/2 to width/2, at depth z on black: each channel's light
-/// is that of the ray from its own stripe's centre.
+/// A frame of a white bar, from x = -width/2 to width/2, at depth z on black: each channel has the
+/// light of the ray from its own stripe's centre.
 inline Frame frame_of_bar(const FrameMetadata& m, double z, double width)
 {
     const SheetOptics optics(m.sheet, m.aperture);

@@ -4,13 +4,13 @@
 #include "integral/base/constants.h"
 #include "integral/depth/multibaseline.h"
 #include "integral/depth/ray_trace.h"
-#include "integral/lightfield/quilt_sampler.h"
-#include "integral/output/interlace.h"
+#include "integral/panel/interlace.h"
 #include "integral/replay/arrange.h"
-#include "integral/replay/parallel_views.h"
-#include "integral/replay/perspective_views.h"
 #include "integral/replay/replay_series.h"
-#include "integral/replay/view_files.h"
+#include "integral/sampling/quilt_sampler.h"
+#include "integral/views/parallel_views.h"
+#include "integral/views/perspective_views.h"
+#include "integral/views/view_files.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -88,7 +88,7 @@ Frame upright_frame(double slant, double noise = 0.3)
     return frame;
 }
 
-/// The part of samples that differ by more than 1/255.
+/// The fraction of samples that differ by more than 1/255.
 double differing(const Image& a, const Image& b)
 {
     if (!same_form(a, b))
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(parallel_views_are_the_upright_ones_turned)
             const auto views = *parallel_views(lying, {1, count}, 2);
             are_equal(views, turned(*parallel_views(upright, {count, 1}, 2)), 0);
             if (slant == 0 && count == natural.rows)
-                BOOST_TEST((frame_from_views(views, *lying.metadata, natural)->samples ==
+                BOOST_TEST((frame_from_parallel_views(views, *lying.metadata, natural)->samples ==
                             lying.image.samples));
         }
         View narrow, wide;
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(frames_come_back_from_views_whichever_way_lenses_are_number
             m.film.pixel_pitch = {0.12, 0.11};
             set_metadata(frame, m);
             const ViewGrid grid{1, 30};
-            const auto back = frame_from_views(*parallel_views(frame, grid), m, grid);
+            const auto back = frame_from_parallel_views(*parallel_views(frame, grid), m, grid);
             BOOST_TEST(differing(*back, frame.image) < 1); // of one size
             BOOST_TEST(*psnr_there_and_back(frame, grid) > 28);
         }
@@ -213,16 +213,16 @@ BOOST_AUTO_TEST_CASE(eyes_and_paths_are_the_upright_ones_turned)
             const auto upwards = eyes_of(request, *lying.metadata);
             BOOST_REQUIRE(sideways.size() == upwards.size());
             for (std::size_t k = 0; k < upwards.size(); ++k) {
-                const Eye wanted = turned(sideways[k]);
-                BOOST_TEST(std::fabs(wanted.x - upwards[k].x) < 1e-9);
-                BOOST_TEST(std::fabs(wanted.y - upwards[k].y) < 1e-9);
-                BOOST_TEST(std::fabs(wanted.distance - upwards[k].distance) < 1e-9);
+                const Eye requested = turned(sideways[k]);
+                BOOST_TEST(std::fabs(requested.x - upwards[k].x) < 1e-9);
+                BOOST_TEST(std::fabs(requested.y - upwards[k].y) < 1e-9);
+                BOOST_TEST(std::fabs(requested.distance - upwards[k].distance) < 1e-9);
             }
         }
     const Eye middle{0, 0, 300};
     const auto row = contact_sheet_eyes(*lying.metadata, middle, 3, 1),
                column = contact_sheet_eyes(*lying.metadata, middle, 1, 3);
-    BOOST_TEST(row[0].y < -1); // from below upwards; a column shows what is seen from above on top
+    BOOST_TEST(row[0].y < -1); // from below upwards; a column shows the view from above on top
     for (int k = 0; k < 3; ++k)
         BOOST_TEST(row[std::size_t(k)].y == column[std::size_t(2 - k)].y);
 }
@@ -237,10 +237,9 @@ BOOST_AUTO_TEST_CASE(frames_of_perspective_views_are_the_upright_ones_turned)
         const auto eyes = [](const FrameMetadata& g) {
             return EyeGrid{viewing_zone(g, g.aperture.distance), g.aperture.distance};
         };
-        const auto wanted = frame_from_perspective_views(views, m, {5, 1}, eyes(m), 2),
-                   found = frame_from_perspective_views(turned(views), lying, {1, 5}, eyes(lying),
-                                                        2);
-        BOOST_TEST(differing(*found, turned(*wanted)) < ties);
+        const auto requested = frame_from_eye_views(views, m, {5, 1}, eyes(m), 2),
+                   found = frame_from_eye_views(turned(views), lying, {1, 5}, eyes(lying), 2);
+        BOOST_TEST(differing(*found, turned(*requested)) < ties);
     }
 }
 
@@ -286,8 +285,8 @@ BOOST_AUTO_TEST_CASE(panels_are_the_upright_ones_turned)
 
 namespace {
 
-/// Views of lying lenses are turned within the set: pixel by pixel they are those of upright ones,
-/// at places of the picture that are turned.
+/// Lying lenses turn the views within the set: pixel by pixel they equal the upright ones, at
+/// turned places of the picture.
 void have_equal_depth(const ViewSet& lying, const ViewSet& upright)
 {
     BOOST_TEST(lying.turned);

@@ -27,7 +27,7 @@ std::string between(const std::string& page, const std::string& before, const st
     return page.substr(from + before.size(), to - from - before.size());
 }
 
-/// RFC 4648, strictly.
+/// Decodes base64, strictly by RFC 4648.
 std::string from_base64(const std::string& text)
 {
     const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -65,9 +65,9 @@ void check_frame(const Frame& frame)
 {
     const std::string page = replay_page(frame, {});
     const Image got = decode_png(from_base64(between(page, "data:image/png;base64,", "\""))).image;
-    const Image wanted = converted(frame.image, 8, Encoding{}, false);
-    BOOST_TEST(got.channels == wanted.channels);
-    BOOST_TEST((got.samples == wanted.samples));
+    const Image requested = converted(frame.image, 8, Encoding{}, false);
+    BOOST_TEST(got.channels == requested.channels);
+    BOOST_TEST((got.samples == requested.samples));
 }
 
 } // namespace
@@ -108,13 +108,13 @@ BOOST_AUTO_TEST_CASE(holds_geometry_and_start)
 
     const auto view = nlohmann::json::parse(
         between(page, "<script type=\"application/json\" id=\"start\">", "</script>"));
-    auto wanted = nlohmann::json::parse(
+    auto requested = nlohmann::json::parse(
         R"({"eye": [1.5, -2, 300], "size": [0, 0], "samples": 5, "pupil": 4,
                                                  "focus": -8, "film_gap": 0.1, "blur": 0.2, "model": "pinhole",
                                                  "part": [1, -2, 30, 20], "zone": [0, 0]})");
     const Vec2 zone = viewing_zone(*frame.metadata, 300);
-    wanted["zone"] = {zone.x, zone.y};
-    BOOST_TEST(view == wanted);
+    requested["zone"] = {zone.x, zone.y};
+    BOOST_TEST(view == requested);
 }
 
 BOOST_AUTO_TEST_CASE(has_no_mark_left)

@@ -68,7 +68,7 @@ Vec2 centroid(const Frame& frame, const Eye& eye)
 Vec2 parallax_error(const Frame& frame, double z, double baseline)
 {
     const double d = frame.metadata->aperture.distance, b = baseline / 2;
-    // Above and below the slit of a slanted lenticular sheet, an eye sees other heights than those
+    // Above and below the slit of a slanted lenticular sheet, an eye sees heights that were not
     // recorded. So the eyes stay at the slit's height.
     const double v = frame.metadata->sheet.arrangement == Arrangement::lenticular ? 0 : b;
     const Vec2 moved = centroid(frame, {b, v, d}) - centroid(frame, {-b, -v, d});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests paths of eyes, parts of the sheet, lens blur, and frames made from perspective views,
 // against values computed by hand and closed forms.
-#include "integral/output/quilt.h"
 #include "integral/replay/arrange.h"
-#include "integral/replay/perspective_views.h"
+#include "integral/views/perspective_views.h"
+#include "integral/views/quilt.h"
 #include "tests/unit/replay_frames.h"
 
 #include <boost/test/unit_test.hpp>
@@ -40,8 +40,7 @@ BOOST_AUTO_TEST_CASE(paths_by_hand)
     is_at(eyes[0], -150, 7, 300 * std::sqrt(0.75));
     is_at(eyes[1], 0, 7, 300);
     is_at(eyes[2], 150, 7, 300 * std::sqrt(0.75));
-    eyes = eye_path(EyePath::turntable, {0, 0, 300}, zone, {}, 2); // the zone's edges are in this
-                                                                   // direction
+    eyes = eye_path(EyePath::turntable, {0, 0, 300}, zone, {}, 2); // towards the zone's edges
     BOOST_TEST(std::fabs(eyes[1].x / eyes[1].distance - 100.0 / 300) < 1e-12);
 
     eyes = eye_path(EyePath::circle, middle, zone, {}, 4);
@@ -131,8 +130,8 @@ BOOST_AUTO_TEST_CASE(blur_shows_the_part_of_its_spot_that_is_lit)
 BOOST_AUTO_TEST_CASE(spot_and_pupil_are_spread_independently)
 {
     // The film is a product of two ramps, one for the spot and one for the pupil. If the points of
-    // the spot depended on those of the pupil, the mean of the product would not be the product of
-    // the means.
+    // the spot depended on the pupil's, the mean of the product would not be the product of the
+    // means.
     FrameMetadata m = geometry({Arrangement::square, 0, {0, 0}}, 2000, 2000, 0.002);
     m.film.pixel_pitch.y = 0.002;
     Frame frame{make_image<float>(m.film.width, m.film.height, 3, linear), {}};
@@ -191,7 +190,7 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
                     for (int x = 0; x < 80; ++x)
                         store_pixel(views[k], x, y, light(view_point(m, window, x, y), eye));
             }
-            const auto frame = frame_from_perspective_views(views, m, grid, eyes);
+            const auto frame = frame_from_eye_views(views, m, grid, eyes);
             BOOST_REQUIRE(frame);
             int judged = 0;
             double worst = 0;
@@ -233,7 +232,7 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
         for (int y = 0; y < 150; ++y)
             for (int x = 0; x < 200; ++x)
                 store_pixel(view, x, y, {float(&view - views.data()), float(y / 150.0), 0, 1});
-    const auto frame = frame_from_perspective_views(views, m, {2, 1}, {{150, 0}, 300});
+    const auto frame = frame_from_eye_views(views, m, {2, 1}, {{150, 0}, 300});
     const SheetOptics optics(m.sheet, m.aperture);
     for (int y = 10; y < 140; ++y) {
         const auto
@@ -245,10 +244,10 @@ BOOST_AUTO_TEST_CASE(a_frame_of_what_eyes_see)
                              std::clamp((ray->aperture_point.x / 150 + 0.5) * 2 - 0.5, 0.0, 1.0)) <
                    1e-5);
     }
-    BOOST_CHECK_THROW(frame_from_perspective_views(views, m, {3, 1}, {{150, 0}, 300}),
+    BOOST_CHECK_THROW(frame_from_eye_views(views, m, {3, 1}, {{150, 0}, 300}),
                       std::invalid_argument);
     views[1] = make_image<float>(20, 15, 3, linear);
-    BOOST_CHECK_THROW(frame_from_perspective_views(views, m, {2, 1}, {{150, 0}, 300}),
+    BOOST_CHECK_THROW(frame_from_eye_views(views, m, {2, 1}, {{150, 0}, 300}),
                       std::invalid_argument);
 }
 
@@ -258,8 +257,7 @@ BOOST_AUTO_TEST_CASE(a_quilt_whose_views_leave_a_rest)
     auto& samples = std::get<std::vector<std::uint8_t>>(quilt.samples);
     for (std::size_t k = 0; k < samples.size(); ++k)
         samples[k] = std::uint8_t(k / 3);             // the pixel's number
-    const auto views = views_of_quilt(quilt, {3, 2}); // 2 by 2 pixels each; a column at the right
-                                                      // and a row at the top are no view's
+    const auto views = views_of_quilt(quilt, {3, 2}); // 2 x 2 pixels each; spare column and row
     BOOST_REQUIRE(views.size() == 6);
     const auto first = [&](int k) {
         return int(std::get<std::vector<std::uint8_t>>(views[k].samples).at(0));

@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(each_view_pixel_shows_the_film_point_behind_its_lens)
 BOOST_AUTO_TEST_CASE(each_channel_of_a_film_of_subpixels_is_seen_at_its_own_stripe)
 {
     // The value of each channel of a film pixel is the position of its stripe's centre, in pixels.
-    // What the eye sees is within half a pixel of the film point behind the lens, or within one
+    // The eye sees a value within half a pixel of the film point behind the lens, or within one
     // pixel if the stripes are ignored.
     for (const Subpixels order : {Subpixels::rgb, Subpixels::bgr})
         for (const Case& c : cases) {
@@ -114,7 +114,7 @@ Edges edges_of(const Frame& frame, Eye eye)
     const auto image = replay(frame, view);
     const LinearReader light(*image);
     const double pixel = film.width * film.pixel_pitch.x / view.width /
-                         view.height; // mm, a row's part
+                         view.height; // mm, a row's share
     const int middle = int(
         view.width * (0.5 + eye.x * 20 / (eye.distance + 20) / (film.width * film.pixel_pitch.x)));
     Edges edges{};
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(subpixels_at_the_film_s_edge_and_alpha)
         for (int x = 0; x < 30; ++x)
             store_pixel(frame.image, x, y, {1, 1, 1, x % 2 ? 0.0f : 1.0f});
     set_metadata(frame, m);
-    const View view{{0, 0, 17}, 400, 9, 1}; // from there the film fills the view but for a little
+    const View view{{0, 0, 17}, 400, 9, 1}; // from there the film nearly fills the view
     const auto image = replay(frame, view);
     int beyond = 0, first = 0, last = 0, mixed = 0;
     for (int x = 0; x < view.width; ++x) {
@@ -203,8 +203,8 @@ BOOST_AUTO_TEST_CASE(subpixels_at_the_film_s_edge_and_alpha)
 
 BOOST_AUTO_TEST_CASE(a_far_scene_is_seen_by_direction_and_repeats_in_the_side_lobes)
 {
-    // Colour encodes the direction in which a square lens sends a film point, s = n sin(inside):
-    // a scene at infinity. The eye must see the direction to itself; in a side lobe, that of
+    // Colour encodes the direction in which a square lens sends a film point, s = n sin(inside): a
+    // scene at infinity. The eye must see the direction to itself; in a side lobe, the direction of
     // the film point one pitch over.
     FrameMetadata m = geometry({Arrangement::square, 0, {0, 0}}, 1600, 1600, 0.0127);
     m.film.pixel_pitch.y = m.film.pixel_pitch.x;
@@ -219,10 +219,9 @@ BOOST_AUTO_TEST_CASE(a_far_scene_is_seen_by_direction_and_repeats_in_the_side_lo
             store_pixel(frame.image, x, y, {float(sine(-fx)), float(sine(-fy)), 0, 1});
         }
     set_metadata(frame, m);
-    // As the colour is per axis, look from eyes on the axes, whose other sine is 0.
+    // The colour is per axis, so the eyes are on the axes, where the other sine is 0.
     for (const double angle : {-0.25, -0.1, 0.0, 0.15, 0.3}) {
-        const Eye eye{3000 * std::tan(angle), 0, 3000}; // far: the same direction everywhere to
-                                                        // 3e-3
+        const Eye eye{3000 * std::tan(angle), 0, 3000}; // far: one direction everywhere, to 3e-3
         const auto image = replay(frame, {eye, 64, 64, 1});
         for (int y = 4; y < 60; y += 7)
             for (int x = 4; x < 60; x += 3) {

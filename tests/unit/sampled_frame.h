@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// A small frame of a scene in closed form, which is looked at along the rays that PixelSampler
-// chooses, and its reconstruction. What is right is found by many random rays of a pixel.
+// A small frame of a scene in closed form, sampled along the rays that PixelSampler chooses, and
+// its reconstruction. True values are means over many random rays of a pixel.
 #ifndef TESTS_UNIT_SAMPLED_FRAME_H
 #define TESTS_UNIT_SAMPLED_FRAME_H
 
-#include "integral/lightfield/reconstruction.h"
-#include "integral/lightfield/refinement.h"
-#include "integral/lightfield/sample_halves.h"
+#include "integral/reconstruction/reconstruction.h"
+#include "integral/reconstruction/refinement.h"
+#include "integral/reconstruction/split_half_error.h"
 #include "tests/unit/pixel_origins.h"
 
 #include <cmath>
@@ -18,7 +18,7 @@ using namespace pixel_origins;
 
 constexpr int width = 48, height = 44;
 
-/// What is seen along a ray: a grey value, in linear light, its depth, and how the surface lies
+/// The hit of a ray: a grey value in linear light, its depth, and the tilt of the surface
 /// (BeamSamples::Seen::tilt).
 struct Look {
     double grey, depth;
@@ -45,8 +45,8 @@ inline Scene chequers(double depth, double side, double rise = 0)
     };
 }
 
-/// A floor, up to a depth; what is seen beyond it; the grey values of its upper and of its lower
-/// side. `tells`: whether it tells how it lies. `height`: mm above the frame's middle.
+/// A floor up to depth `edge`, and `beyond` behind it. `upper` and `lower`: the grey values of its
+/// sides. `tells`: whether hits have the floor's tilt. `height`: mm above the frame's middle.
 inline Scene floor_up_to(double edge, Look beyond, double upper, double lower, bool tells = true,
                          double height = -0.2)
 {
@@ -61,11 +61,11 @@ inline Scene floor_up_to(double edge, Look beyond, double upper, double lower, b
 
 inline const TabulatedCurve encode([](float x) { return std::sqrt(std::fmax(0.0f, x)); });
 
-/// A frame with so many samples a pixel.
+/// A frame with `number` samples a pixel.
 struct Sampled {
     IntegralCamera camera;
     PixelSampler sampler;
-    FirstSamples first;
+    LightFieldImage first;
     BeamSamples samples;
     Reconstruction reconstruction;
     std::vector<float> mean; ///< NaN for an empty pixel
@@ -91,7 +91,7 @@ struct Sampled {
     BeamSamples::Seen seen(const BeamRay& ray, const Look& look) const
     {
         const float grey = float(look.grey);
-        return {sight_slope(camera.optics.lattice(), ray),
+        return {light_field_ray(camera.optics.lattice(), ray),
                 look.depth,
                 {grey, grey, grey, 0},
                 look.tilt};
@@ -106,15 +106,15 @@ struct Sampled {
             return;
         const BeamRay ray = sampler.first_sample(centre, *pole, false);
         const Look look = scene(ray);
-        samples.set_first(x, y, sight_slope(camera.optics.lattice(), pole_beam(*pole)), pole->lens,
-                          seen(ray, look));
+        samples.set_first(x, y, light_field_ray(camera.optics.lattice(), pole_beam(*pole)),
+                          pole->lens, seen(ray, look));
         const auto compared = [](double grey) {
             const double value = encode(float(grey));
             return ComparedColour{value, value, value, 0};
         };
         first.set(x, y, compared(look.grey), pole->lens, look.depth);
         Refinement refinement({1, 0.1, 3}, 1.5);
-        SampleHalves halves;
+        SplitHalfError halves;
         double sum = 0, taken = 0;
         const auto count = [&](float grey) {
             refinement.add(compared(grey));
@@ -146,9 +146,9 @@ struct Sampled {
         reconstruction.set(x, y, {grey, grey, grey, 0}, variance, halves, samples, in_linear_light);
     }
 
-    /// Further samples of a scene, which count() is told of.
-    Reconstruction::Further further(const Scene& scene, const RefinementRule& rule,
-                                    std::function<void(int x, int y, int number)> count) const
+    /// Extra samples of a scene; calls count(x, y, number) whenever some are taken.
+    Reconstruction::ExtraSamples further(const Scene& scene, const RefinementRule& rule,
+                                         std::function<void(int x, int y, int number)> count) const
     {
         return {rule, [=](int x, int y, int begin, int number, LinearColour& sum) {
                     count(x, y, number);
@@ -166,9 +166,9 @@ struct Sampled {
 
     static constexpr PictureBlock all{0, 0, width - 1, height - 1};
 
-    /// `block`: the pixels that show how large errors usually are.
-    std::vector<Reconstruction::Result> pixels(const PictureBlock& block = all,
-                                               const Reconstruction::Further* further = nullptr)
+    /// `block`: the pixels from which the usual size of errors is estimated.
+    std::vector<Reconstruction::Result> pixels(
+        const PictureBlock& block = all, const Reconstruction::ExtraSamples* further = nullptr)
     {
         const auto scratch = Reconstruction::make_scratch();
         std::vector<Reconstruction::Result> result;
@@ -177,7 +177,7 @@ struct Sampled {
         return result;
     }
 
-    /// A pixel's converged light, about.
+    /// A pixel's converged light, approximately.
     double truth(const Scene& scene, int x, int y) const
     {
         double sum = 0;
@@ -189,7 +189,7 @@ struct Sampled {
 
     /// The RMS errors of some pixels, away from the frame's edge: before and after.
     std::array<double, 2> errors(const Scene& scene,
-                                 const Reconstruction::Further* further = nullptr)
+                                 const Reconstruction::ExtraSamples* further = nullptr)
     {
         const auto reconstructed = pixels(all, further);
         std::array<double, 2> sums{};
@@ -219,8 +219,8 @@ inline CameraParameters sheet(Arrangement arrangement, double slant = 0)
     return p;
 }
 
-/// The RMS error after the reconstruction, divided by the one before, of several frames with other
-/// samples: few pixels have most of a frame's error.
+/// The RMS error after the reconstruction, divided by the one before, over several frames with
+/// different samples, because few pixels have most of a frame's error.
 inline double ratio(const CameraParameters& parameters, const Scene& scene, int number)
 {
     double before = 0, after = 0;

@@ -5,7 +5,7 @@
 #include "integral/wireframe/lens_rays.h"
 #include "integral/wireframe/wireframe.h"
 
-#include "integral/lightfield/names.h"
+#include "integral/frame/names.h"
 #include "integral/optics/beam.h"
 
 #include <boost/test/unit_test.hpp>
@@ -360,8 +360,8 @@ BOOST_AUTO_TEST_CASE(faces_are_what_pixels_rays_meet)
 
 BOOST_AUTO_TEST_CASE(flat_faces_are_lit_from_the_side_that_the_eye_sees)
 {
-    // In both orders of the corners: the light from the viewer's side lights the face, that from
-    // behind it leaves the ambient fifth.
+    // In both orders of the corners, light from the viewer's side lights the face, and light from
+    // behind leaves the ambient fifth.
     for (const bool turned : {false, true})
         for (const double light : {-1.0, 1.0}) {
             auto request = request_of(sheet_of(Arrangement::lenticular),

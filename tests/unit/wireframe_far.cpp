@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(of_tiny_lines_each_pixel_shows_the_nearest)
         }
         WireframeCost cost;
         const Image image = drawn(request, cost);
-        // What is expected is found by trying every line through every lens.
+        // The expected pixels are found by trying every line through every lens.
         std::map<std::pair<int, int>, std::pair<double, int>> want; // pixel -> depth, number
         std::map<std::pair<std::int64_t, std::int64_t>, LensIndex> lenses;
         const auto lens_of = [&](int x, int y) {

@@ -67,7 +67,7 @@ void AddIntegralLibraryPaths(vfe::vfeRenderOptions& options)
     options.AddLibraryPath(share + "/ini");
     options.AddLibraryPath(share + "/include");
     options.AddLibraryPath(share + "/scenes");
-    // Where Debian's package povray-examples has upstream's scenes.
+    // Debian's package povray-examples installs upstream's scenes here.
     const std::string examples = share + "/../doc/povray/examples";
     if (Readable(examples))
         options.AddLibraryPath(examples);

@@ -17,8 +17,8 @@ namespace vfePlatform
 /// The share folder's path without a final slash, or "" if there is no such folder.
 std::string IntegralShareDirectory();
 
-/// Replaces the paths of the settings files that POV-Ray would read: a system file that does not
-/// exist by the one in the share folder, and the user's povray.conf by "" if it does not exist.
+/// If settings files that POV-Ray would read do not exist, replaces their paths: a system file's by that of
+/// the share folder's file (if any), the path of the user's povray.conf by "".
 void UseIntegralSettings(std::string& system_conf, std::string& user_conf, std::string& system_ini);
 
 /// Replaces each argument that names an INI file which is not there, but is in the share folder's

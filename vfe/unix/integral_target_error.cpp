@@ -40,7 +40,7 @@ bool Is_Scene(const std::string& argument, std::string& scene)
             Ends_With(argument.substr(0, argument.find('[')), ".ini"));
 }
 
-/// The program `integral` beside this one, or its bare name, to be looked for on PATH.
+/// The program `integral` in this program's folder, or its bare name, to be searched for on PATH.
 std::string Tools()
 {
     char *const own = realpath("/proc/self/exe", NULL);
@@ -56,13 +56,13 @@ void RenderToTargetError(char **argv)
 {
     std::string target, scene, value;
     std::vector<std::string> others;
-    bool wanted = false;
+    bool requested = false;
     for (char **next = argv + 1; *next != NULL; ++next)
     {
         const std::string argument = *next;
         if (Is_Option(argument, "Integral_Target_Error=", value))
         {
-            wanted = true;
+            requested = true;
             target = value;
         }
         else if (scene.empty() && !argument.empty() && Is_Scene(argument, value))
@@ -70,7 +70,7 @@ void RenderToTargetError(char **argv)
         else
             others.push_back(argument);
     }
-    if (!wanted)
+    if (!requested)
         return;
     if (scene.empty())
     {

@@ -20,10 +20,9 @@ inline bool Ray_Enters_Box_Applies(const BBOX& box, const Rayinfo& ray)
              std::signbit(box.Lengths[Z]));
 }
 
-/// Returns whether the ray meets the box, and sets `enters` to the distance along the ray, in
-/// lengths of its direction. The numbers equal those of Check_And_Enqueue's axis-by-axis
-/// comparisons to the last bit, but there is one branch that the processor cannot predict instead
-/// of up to ten.
+/// Returns whether the ray meets the box, and sets `enters` to the distance along the ray, in lengths of its
+/// direction. The results equal Check_And_Enqueue's axis-by-axis comparisons to the last bit, but one
+/// unpredictable branch replaces up to ten.
 inline bool Ray_Enters_Box(const BBOX& box, const Rayinfo& ray, DBL& enters)
 {
     const auto low = [&](int k)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What may take part when radiosity looks up the ambient light of a place, which is the weighted
-// mean of what gathered points around it tell.
+// Callbacks for radiosity's lookup of the ambient light at a place: the weighted mean of the light at
+// gathered points around it.
 #ifndef POVRAY_BACKEND_INTEGRALAMBIENT_H
 #define POVRAY_BACKEND_INTEGRALAMBIENT_H
 
@@ -14,27 +14,29 @@ class IntegralAmbient
 public:
     virtual ~IntegralAmbient() {}
 
-    /// Whether the ambient light of a place is known. Sets `light` and `quality`, the sum of the
-    /// points' weights, if it is. `important`: the light is needed as exactly as the scene says.
+    /// Returns whether the ambient light of a place is known; if so, sets `light`, and `quality`
+    /// to the sum of the points' weights. `important`: the light is needed with the accuracy that
+    /// the scene specifies.
     virtual bool Find(const Vector3d& place, const Vector3d& normal, bool important,
                       RGBColour& light, double& quality)
     {
         return false;
     }
 
-    /// If it is not, a lookup begins,
+    /// Begins a lookup, if the light is not known.
     virtual void Begin() {}
 
-    /// meets points with their light, as that is expected at the place, `pretraced` ones before the
-    /// frame was rendered, each of them used within `radius` (scene units) around it,
+    /// Adds a point to the lookup. `light`: the ambient light at the place, as this point predicts it.
+    /// `pretraced`: the point was gathered before the frame was rendered. `radius`: greatest distance from
+    /// the point at which it is used, scene units.
     virtual void Add(const RGBColour& light, double weight, bool pretraced, double radius) {}
 
-    /// and ends with their mean.
+    /// Ends the lookup with the points' mean, which may be changed.
     virtual void End(RGBColour& mean) {}
 
-    /// Tells of the last place what light and quality are used for it. `wanted`: the quality from
-    /// which on no more points are gathered beforehand.
-    virtual void Keep(const RGBColour& light, double quality, double wanted) {}
+    /// Reports the light and quality that are used for the last place. `requested`: the quality at which the
+    /// pretrace stops gathering points.
+    virtual void Keep(const RGBColour& light, double quality, double requested) {}
 };
 
 }

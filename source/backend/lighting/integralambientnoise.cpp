@@ -36,8 +36,8 @@ void IntegralAmbientNoise::Add(const RGBColour& light, double weight, bool pretr
 
 void IntegralAmbientNoise::End(RGBColour& mean)
 {
-    // The mean is as noisy as that of so many points of equal weights. One point alone does not
-    // tell how noisy it is.
+    // The mean is as noisy as a mean of `number` points of equal weights. The noise of a single
+    // point cannot be estimated.
     const double number = weights * weights / squared_weights;
     constexpr double least_number = 1.001;
     if (!(number > least_number))

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The noise of radiosity's points. Radiosity gathers light at some points and takes the weighted
-// mean of those around as the ambient light of other places. The points are noisy, and all samples
-// of a frame share them, so that an audit, which renders some pixels again, does not meet other
-// noise than the frame did. Therefore it changes the ambient light of each lookup by its standard
-// error, as the differences between the points show it: upwards or downwards, the same for all
-// samples of a pixel. So the noise counts in the error that the audit finds.
+// Includes the noise of radiosity's points in the error that an audit finds. Radiosity gathers
+// light at some points; the ambient light of any other place is the weighted mean of the points
+// around it. The points are noisy, and all samples of a frame share them, so that an audit, which
+// renders some pixels again, meets the same noise as the frame. Therefore the audit changes the
+// ambient light of each lookup by its standard error, estimated from the differences between the
+// points: upwards or downwards, the same for all samples of a pixel.
 //
-// Only the points that were gathered while the frame was rendered count; those of the pretrace are
-// taken as exact. If they counted, too, dense frames of POV-Ray's scene radiosity3 would be told up
-// to 1.45 times their error. As they do not, other errors are told too low: by a quarter in
-// tests/render/radiosity_noise.test.
+// Only the noise of points gathered while the frame was rendered is included; points of the pretrace are
+// taken as exact. If their noise were included, too, the error reported for some frames of POV-Ray's scene
+// radiosity3 would be up to 1.45 times too large. As it is not, the reported error may be too small: 0.60 and
+// 0.74 of the true one in tests/render/radiosity_noise.test.
 #ifndef POVRAY_BACKEND_INTEGRALAMBIENTNOISE_H
 #define POVRAY_BACKEND_INTEGRALAMBIENTNOISE_H
 
@@ -24,7 +24,7 @@ namespace pov
 class IntegralAmbientNoise : public IntegralAmbient
 {
 public:
-    /// In which direction the following lookups are changed.
+    /// Sets the direction in which the following lookups are changed.
     void Set_Direction(bool brighter) { direction = brighter ? 1 : -1; }
 
     virtual void Begin();
@@ -35,9 +35,9 @@ public:
 
 private:
     double direction = 1;
-    double weights = 0, squared_weights = 0; ///< of all points
-    double new_squared_weights = 0;          ///< of those that are not pretraced
-    /// Sums of light and of its square, times the squared weight, of those that are not pretraced.
+    double weights = 0, squared_weights = 0; ///< sums over all points
+    double new_squared_weights = 0;          ///< sum over the points that are not pretraced
+    /// Sums, over the points that are not pretraced, of light and squared light times squared weight.
     std::array<double, 3> sums{}, squares{};
 };
 

@@ -4,7 +4,7 @@
 #include "backend/frame.h"
 #include "backend/lighting/integralsharedambient.h"
 #include "backend/scene/integralcamera.h"
-#include "integral/lightfield/pixel_sampler.h"
+#include "integral/sampling/pixel_sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +19,12 @@ namespace pov
 namespace
 {
 
-// A cell's size is at most so much of the radius within which points are used, and the quality of
-// its light at least so much of the one that is wanted. Normals are told apart by this step of
-// their components. Found by trying on sample scenes of POV-Ray's.
+// The maximum of a cell's size, relative to the radius within which points are used; the minimum
+// quality of its light, relative to the requested quality; and the step of the components by which
+// normals are distinguished. Found by experiment on POV-Ray's sample scenes.
 constexpr double most_of_radius = 0.7, least_of_quality = 0.2, step_of_normal = 0.125;
 
-// A cell may be divided so often, into eight each time.
+// Maximum number of divisions of a cell, each time into eight.
 constexpr int most_divisions = 2;
 
 std::uint64_t Steps(double way, double step) { return std::int64_t(std::floor(way / step)); }
@@ -77,9 +77,9 @@ void IntegralSharedAmbient::Add(const RGBColour&, double, bool, double radius)
     least_radius = std::min(least_radius, radius);
 }
 
-void IntegralSharedAmbient::Keep(const RGBColour& light, double quality, double wanted)
+void IntegralSharedAmbient::Keep(const RGBColour& light, double quality, double requested)
 {
-    const bool is_kept = quality > least_of_quality * wanted;
+    const bool is_kept = quality > least_of_quality * requested;
     if (key == 0 || !is_kept)
         return;
     const bool divides = size > most_of_radius * least_radius;

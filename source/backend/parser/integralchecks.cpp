@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The part of IntegralGrammar that follows a complete camera statement: it places the sheet, and
-// checks the camera that is rendered in the end, which a later statement may replace.
+// The part of IntegralGrammar that follows a complete camera statement: places the sheet, and
+// checks the camera that is finally rendered (a later statement may replace a camera).
 
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
@@ -14,7 +14,8 @@
 #include "base/integralframe.h"
 #include "base/integraloptions.h"
 #include "integral/base/number_text.h"
-#include "integral/lightfield/sheet_figures.h"
+#include "integral/optics/visual_pitch.h"
+#include "integral/sheet/sheet_figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,7 +102,7 @@ void IntegralGrammar::Check_Type(const Camera& camera, const IntegralStatement& 
                           "no other type goes with it.");
 }
 
-/// The lenses' own pitch from the one that is even from the viewer's distance.
+/// Computes the lenses' own pitch from visual_pitch, the pitch as seen from viewing_distance.
 void IntegralGrammar::Use_Visual_Pitch(IntegralStatement& statement)
 {
     integral::CameraParameters& parameters = statement.parameters;
@@ -119,13 +120,13 @@ void IntegralGrammar::Use_Visual_Pitch(IntegralStatement& statement)
                                                        *parameters.viewing_distance);
 }
 
-/// An error if a picture of this size in pixels has not the size of print_size.
+/// Reports an error if a picture of `size` pixels does not have the size of print_size.
 void IntegralGrammar::Check_Print_Size(const IntegralStatement& statement, integral::PixelSize size)
 {
     if (!statement.parameters.print_size)
         return;
-    const integral::PixelSize wanted = integral::print_pixels(statement.parameters);
-    if (std::abs(wanted.width - size.width) <= 1 && std::abs(wanted.height - size.height) <= 1)
+    const integral::PixelSize requested = integral::print_pixels(statement.parameters);
+    if (std::abs(requested.width - size.width) <= 1 && std::abs(requested.height - size.height) <= 1)
         return;
     const integral::Vec2 mm = *statement.parameters.print_size;
     const bool sets_size = option && option->given.count("print_size") &&
@@ -135,13 +136,13 @@ void IntegralGrammar::Check_Print_Size(const IntegralStatement& statement, integ
                                          "themselves)";
     Refuse(statement, "print_size <" + integral::with_digits(mm.x, 6) + ", " +
                           integral::with_digits(mm.y, 6) + "> needs +W" +
-                          std::to_string(wanted.width) + " +H" + std::to_string(wanted.height) +
+                          std::to_string(requested.width) + " +H" + std::to_string(requested.height) +
                           " with this film, not +W" + std::to_string(size.width) + " +H" +
                           std::to_string(size.height) + ". Give that size" + help + ".");
 }
 
-/// Computes the statement's optics, those of a draft with Integral_Draft=, if the picture's size is
-/// known.
+/// Computes the statement's optics if the picture's size is known; with Integral_Draft=, a draft's
+/// optics.
 void IntegralGrammar::Make_Optics(Camera& camera, IntegralStatement& statement)
 {
     integral::PixelSize size;
@@ -163,7 +164,7 @@ void IntegralGrammar::Make_Optics(Camera& camera, IntegralStatement& statement)
     }
 }
 
-/// The optics of the print of which the camera's frame is a draft, or else the camera's own.
+/// Returns the print's optics if the camera's frame is a draft of it, else the camera's own.
 std::shared_ptr<const integral::IntegralCamera> IntegralGrammar::Print_Optics(const Camera& camera)
 {
     if (!camera.Integral->draft_pitch)
@@ -237,7 +238,7 @@ void IntegralGrammar::Finish(Camera& camera)
         Edit(camera).distances = distances;
     }
     pov_base::IntegralFrame::Set_Scene(UCS2toASCIIString(parser.sceneData->inputFile));
-    pov_base::IntegralFrame::Expect(integral ? camera.Integral->optics.get() : NULL);
+    pov_base::IntegralFrame::Set_Expected_Camera(integral ? camera.Integral->optics.get() : NULL);
     if (!integral)
         return;
     const std::string& problem = parser.sceneData->integral->problem;

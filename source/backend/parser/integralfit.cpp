@@ -11,8 +11,8 @@
 #include "base/integralframe.h"
 #include "base/integraloptions.h"
 #include "integral/base/number_text.h"
-#include "integral/lightfield/scene_fit.h"
-#include "integral/lightfield/sheet_report.h"
+#include "integral/sheet/scene_fit.h"
+#include "integral/sheet/sheet_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +37,9 @@ integral::SceneFit Fit_Of(const integral::IntegralCamera& optics)
     return {scene * optics.placement.units_per_mm, factor};
 }
 
-/// The fit for a budget in mm, of the print's camera. Where neither the viewer's distance nor the
-/// window's scale is free, the viewer's eye is the scene's, and its distance is in proportion to
-/// the sheet's.
+/// Returns the fit of the print's camera to the depth `allowed`, mm. With units_per_mm and without
+/// viewing_distance, the viewer's eye is the scene's eye: its distance in mm is proportional to the sheet's
+/// distance, so that the fit is iterated.
 integral::SceneFit Choose(const integral::DepthEnds& ends, const IntegralStatement& statement,
                           const integral::IntegralCamera& optics, double allowed)
 {
@@ -61,7 +61,7 @@ integral::SceneFit Choose(const integral::DepthEnds& ends, const IntegralStateme
     return {fit.sheet_distance, integral::fit_to_budget(ends, request).parallax};
 }
 
-/// The fit of an animation's first frame, for all its frames.
+/// The fit of an animation's first frame, used for all its frames.
 struct AnimationFit
 {
     std::string scene;
@@ -72,11 +72,11 @@ AnimationFit animation_fit;
 
 }
 
-/// `print`: the camera of the print, not of a draft. `distances`: Probe_Integral_Depths.
+/// `print`: the print's camera, not a draft's. `distances`: the result of Probe_Integral_Depths.
 void IntegralGrammar::Fit_Depth(Camera& camera, const integral::IntegralCamera& print,
                                 const std::vector<double>& distances)
 {
-    constexpr double beyond = 2; // budgets
+    constexpr double beyond = 2; // in depth budgets
     IntegralStatement& statement = Edit(camera);
     const auto declared = [&](const char *name)
     {
@@ -139,7 +139,7 @@ void IntegralGrammar::Fit_Depth(Camera& camera, const integral::IntegralCamera& 
                    percent(fit), percent(before));
 }
 
-/// `reach`: the depth either side that can be seen with half of the sheet's resolution, mm.
+/// `reach`: depth on either side of the sheet at which half of its resolution is left, mm.
 void IntegralGrammar::Warn_Of_Depth(const integral::IntegralCamera& optics,
                                     const std::vector<double>& distances, double reach)
 {

@@ -6,7 +6,7 @@
 #include "backend/parser/parse.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
-#include "integral/lightfield/names.h"
+#include "integral/frame/names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +126,7 @@ std::string IntegralGrammar::List_Of_Words()
     return List(Words(), [](const Word& word) { return word.name; });
 }
 
-/// Replaces settings of the camera by those of Integral_Camera=.
+/// Overrides settings of the camera with the words of Integral_Camera=.
 void IntegralGrammar::Apply_Option(IntegralStatement& statement)
 {
     for (const Word& word : Words())
@@ -166,7 +166,7 @@ bool IntegralGrammar::Accept(const char *word)
     return true;
 }
 
-/// The camera's statement for writing: a copy of its own if other cameras share it.
+/// Returns the camera's statement for writing: a copy, because other cameras may share the old one.
 IntegralStatement& IntegralGrammar::Edit(Camera& camera)
 {
     auto statement = camera.Integral ? std::make_shared<IntegralStatement>(*camera.Integral)
@@ -208,7 +208,7 @@ bool IntegralGrammar::Parse_Modifier(Camera& camera)
     return false;
 }
 
-/// Records that a word is given; an error if it was given before.
+/// Records that a word is given; reports an error if it was given before.
 void IntegralGrammar::Give(IntegralStatement& statement, const std::string& word)
 {
     if (!statement.given.insert(word).second)
@@ -250,7 +250,7 @@ double IntegralGrammar::Parse_Number() { return parser.Parse_Float(); }
 
 integral::Vec2 IntegralGrammar::Parse_Vector() { return Parse_Pair(false); }
 
-/// <focal length, distance>, and after them perhaps the macro-lenses' columns and rows.
+/// Reads <focal length, distance>, or <focal length, distance, columns, rows> of the macro-lenses.
 integral::ProjectionWords IntegralGrammar::Parse_Projection()
 {
     EXPRESS components;
@@ -418,8 +418,8 @@ void IntegralGrammar::Parse_Film(IntegralStatement& statement)
         parser.Error("film needs one of dpi and pixel_pitch (mm), and not both.");
 }
 
-/// A word for stripes, or the positions of the colours in pixels: cells { PATTERN  <x, y> <x, y>
-/// <x, y> ... }.
+/// Reads a word for stripes, or the positions of the colours in pixels: cells { PATTERN  <x, y>
+/// <x, y> <x, y> ... }.
 void IntegralGrammar::Parse_Subpixels(integral::Subpixels& subpixels)
 {
     subpixels = integral::Subpixels(Parse_Kind<integral::Subpixels::Order>());

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "backend/frame.h"
-#include "integral/lightfield/frame_metadata.h"
+#include "integral/frame/frame_metadata.h"
 
 namespace pov
 {
@@ -107,7 +107,8 @@ private:
     Parser& parser;
     std::shared_ptr<IntegralStatement> option; ///< the words of Integral_Camera=, or null
     const char *reading = "";                  ///< the word whose value is being read
-    int option_level = 0;                      ///< include file level of that text while it is read
+    int option_level = 0;                      ///< include file level of Integral_Camera='s text while it is
+                                               ///< read
 };
 
 }

@@ -9,9 +9,9 @@
 #include "backend/parser/parse.h"
 #include "backend/scene/integralcamera.h"
 #include "backend/support/fileutil.h"
+#include "integral/base/atomic_file.h"
 #include "integral/base/json.h"
 #include "integral/base/number_text.h"
-#include "integral/base/unfinished_file.h"
 
 #include <cstdlib>
 #include <memory>
@@ -83,8 +83,8 @@ void IntegralGrammar::Parse_Text(const std::string& text)
     option_level = 0;
 }
 
-/// Sets the size in pixels by the print_size of Integral_Camera= where it was left open, for the
-/// scene's image_width and image_height too.
+/// If the options leave the picture's size open, sets it (in pixels), and the scene's image_width and
+/// image_height, from the print_size of Integral_Camera=.
 void IntegralGrammar::Use_Print_Size()
 {
     const pov_base::IntegralSceneOptions& options = *parser.sceneData->integral;
@@ -102,7 +102,7 @@ void IntegralGrammar::Use_Print_Size()
 }
 
 /// Gets width and height of the final picture from the identifiers that the front end declares in
-/// the scene; false if they are not declared. An error if no picture has that size.
+/// the scene; false if they are not declared. Reports an error if no picture can have that size.
 bool IntegralGrammar::Frame_Size(const IntegralStatement& statement, integral::PixelSize& size)
 {
     const auto number = [&](const char *name) -> std::optional<double>
@@ -128,7 +128,8 @@ bool IntegralGrammar::Frame_Size(const IntegralStatement& statement, integral::P
     return true;
 }
 
-/// The lens sheet of a JSON document, which is found and allowed as any file that a scene reads.
+/// Reads a lens sheet from a JSON document, which is searched for, and subject to IO restrictions,
+/// like any file that a scene reads.
 integral::LensSheet IntegralGrammar::Read_Sheet(const UCS2String& file)
 {
     const std::string name = UCS2toASCIIString(file);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The part of IntegralGrammar that warns of a camera which works but may not do what its user
-// wants.
+// intends.
 
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
@@ -52,8 +52,8 @@ void IntegralGrammar::Warn_Of_Shape(const Camera& camera)
     DBL right, up;
     VLength(right, camera.Right);
     VLength(up, camera.Up);
-    const double wanted = size.y / size.x;
-    if (!(std::fabs(up / right - wanted) > 0.01 * wanted))
+    const double requested = size.y / size.x;
+    if (!(std::fabs(up / right - requested) > 0.01 * requested))
         return;
     std::ostringstream print_size;
     if (camera.Integral->parameters.print_size)
@@ -63,7 +63,7 @@ void IntegralGrammar::Warn_Of_Shape(const Camera& camera)
                    "Integral camera: |up|/|right| is %.4g, but the film's height is %.4g of "
                    "its width, and the\n"
                    "picture keeps the film's. A right of length %.6g beside this up would fit%s.",
-                   up / right, wanted, up / wanted, print_size.str().c_str());
+                   up / right, requested, up / requested, print_size.str().c_str());
 }
 
 void IntegralGrammar::Warn_Of_Scale(const integral::IntegralCamera& optics)
@@ -113,7 +113,7 @@ void IntegralGrammar::Warn_Of_Film(const integral::IntegralCamera& optics)
     const auto filling = integral::filling_aperture(
         integral::modelled_sheet(optics.optics.sheet(), optics.optics.model()), aperture.distance);
     const auto too_wide = [](double extent, double fills)
-    { return fills > 0 && extent > 1.1 * fills; }; // no warning for the length of a slit
+    { return fills > 0 && extent > 1.1 * fills; }; // a slit may have any length
     if (filling &&
         (too_wide(aperture.width, filling->width) || too_wide(aperture.height, filling->height)))
         parser.Warning(
@@ -141,7 +141,7 @@ void IntegralGrammar::Warn_Of_Film(const integral::IntegralCamera& optics)
 
 void IntegralGrammar::Warn_Of_Draft(const IntegralStatement& statement)
 {
-    constexpr double least = 4; // with fewer, parts of the picture show different views
+    constexpr double least = 4; // with fewer pixels a lens, parts of the picture show different views
     const integral::IntegralCamera& optics = *statement.optics;
     const integral::Vec2 pixel = optics.film.pixel_pitch;
     const double pixels = optics.optics.sheet().pitch / std::max(pixel.x, pixel.y);
@@ -157,9 +157,9 @@ void IntegralGrammar::Warn_Of_Draft(const IntegralStatement& statement)
 
 void IntegralGrammar::Warn_Of_Starts(const integral::IntegralCamera& optics)
 {
-    const IntegralStarts starts = Probe_Integral_Starts(optics, *parser.sceneData,
+    const ApertureObstruction starts = Probe_Integral_Starts(optics, *parser.sceneData,
                                                         parser.GetParserDataPtr());
-    if (starts.parted < 0.01)
+    if (starts.blocked_share < 0.01)
         return;
     const integral::Aperture& aperture = optics.optics.aperture();
     const double factor = optics.parallax ? optics.parallax->factor : 1,
@@ -177,12 +177,12 @@ void IntegralGrammar::Warn_Of_Starts(const integral::IntegralCamera& optics)
                    "things, and views from there\n"
                    "flicker: the capture aperture, %.3g x %.3g scene units around the eye, "
                    "reaches into them.\n%s.",
-                   100 * starts.parted, k * aperture.width, k * aperture.height,
+                   100 * starts.blocked_share, k * aperture.width, k * aperture.height,
                    help.str().c_str());
 }
 
-/// Warns of surfaces that a parallax over 1 puts beyond the viewer's infinity. `distances`:
-/// Probe_Integral_Depths.
+/// Warns if a parallax over 1 moves surfaces so far back that a viewer's two lines of sight to them diverge
+/// ("beyond infinity"). `distances`: the result of Probe_Integral_Depths.
 void IntegralGrammar::Warn_Of_Infinity(const integral::IntegralCamera& optics,
                                        const std::vector<double>& distances)
 {
@@ -208,7 +208,8 @@ void IntegralGrammar::Warn_Of_Infinity(const integral::IntegralCamera& optics,
 }
 
 /// Warns of an eye that was moved behind surfaces, and of a sheet whose place follows from the
-/// length of direction and is far from all that is seen. `distances`: Probe_Integral_Depths.
+/// length of direction and is far from all visible surfaces. `distances`: the result of
+/// Probe_Integral_Depths.
 void IntegralGrammar::Warn_Of_Place(const Camera& camera, std::vector<double> distances)
 {
     const IntegralStatement& statement = *camera.Integral;

@@ -5,6 +5,7 @@
 #include "backend/render/integralaudit.h"
 #include "backend/render/integralcolours.h"
 #include "backend/render/integralrefinement.h"
+#include "backend/render/integralsamplers.h"
 #include "backend/render/integralsampling.h"
 #include "backend/lighting/radiosity.h"
 #include "backend/scene/camera.h"
@@ -45,11 +46,12 @@ public:
           options(options),
           sampling(sampling),
           compared(options.gamma),
-          refinement(view, thread, trace, cooperate, options, compared, sampling)
+          refinement(thread, trace.Integral(), cooperate, options, compared, sampling),
+          first_samples(trace.Integral(), !options.jitter)
     {
-        further.rule = options.rule;
-        further.take = [&](int x, int y, int begin, int number, integral::LinearColour& sum)
-        { return refinement.Take_Further(x, y, begin, number, sum); };
+        extra.rule = options.rule;
+        extra.take = [&](int x, int y, int begin, int number, integral::LinearColour& sum)
+        { return refinement.Take_Extra(x, y, begin, number, sum); };
     }
 
     void Run()
@@ -73,7 +75,7 @@ public:
 private:
     void Work(int pass, const integral::PictureBlock& block)
     {
-        // Without reconstruction, the last pass follows upon refinement.
+        // Without reconstruction, the last pass follows refinement directly.
         const bool is_last = pass == sampling.Last_Pass();
         if (pass == IntegralSampling::estimation && !is_last)
             return sampling.Reconstruction()->estimate(block, sampling.Whole(block), *scratch);
@@ -104,25 +106,30 @@ private:
     /// Takes the first samples of a block.
     void Sample(const integral::PictureBlock& block)
     {
-        integral::BeamSamples *const lent = sampling.Lent();
-        if (lent)
-            trace.Integral().Take_First_Samples(!options.jitter);
-        const integral::Lattice& lattice = view.GetCamera().Integral_View->optics->optics.lattice();
         for (int y = block.top; y <= block.bottom; y++)
             for (int x = block.left; x <= block.right; x++)
             {
-                Colour& colour = sampling.At(x, y);
-                trace(x, y, view.GetWidth(), view.GetHeight(), colour);
+                const IntegralPixel pixel = sampling.Lent() ? Sample_Beam(x, y)
+                                                            : trace.Integral().Trace_Pixel(x, y, false);
+                sampling.At(x, y) = pixel.colour;
+                if (pixel.lens)
+                    sampling.First().set(x, y, compared(pixel.colour), *pixel.lens, pixel.depth);
                 thread.Stats()[Number_Of_Pixels]++;
-                if (trace.Integral().Imaged())
-                    sampling.First().set(x, y, compared(colour), trace.Integral().Lens(),
-                                         trace.Integral().Depth());
-                if (lent && trace.Integral().Imaged())
-                    lent->set_first(x, y, integral::sight_slope(lattice, trace.Integral().Centre()),
-                                    trace.Integral().Lens(), trace.Integral().Seen(colour));
                 cooperate();
             }
-        trace.Integral().Take_Camera_Rays();
+    }
+
+    /// Takes the first sample of a pixel's beam, and stores it for reconstruction.
+    IntegralPixel Sample_Beam(int x, int y)
+    {
+        const auto pixel = first_samples.Trace(x, y);
+        if (!pixel)
+            return IntegralPixel::Without_Light();
+        const auto& [hit, ray] = pixel->sample;
+        const integral::Lattice& lattice = trace.Integral().View().optics->optics.lattice();
+        sampling.Lent()->set_first(x, y, integral::light_field_ray(lattice, pixel->centre),
+                                   pixel->lens, trace.Integral().Seen(ray, hit));
+        return {hit.light, pixel->lens, hit.depth};
     }
 
     /// Hands over a block as it is now, filtered if it has been reconstructed.
@@ -147,7 +154,7 @@ private:
     void Reconstruct(const integral::PictureBlock& block)
     {
         sampling.Reconstruction()->reconstruct(block, compared.Curve(), *scratch, reconstructed,
-                                               &further);
+                                               &extra);
         std::size_t k = 0;
         for (int y = block.top; y <= block.bottom; y++)
             for (int x = block.left; x <= block.right; x++, k++)
@@ -183,7 +190,7 @@ private:
                 }
     }
 
-    /// What IntegralAudit::Note takes of a block's errors.
+    /// The expected squared errors of a block's pixels, for IntegralAudit::Note.
     const std::vector<float>& Squared_Errors(const integral::PictureBlock& block)
     {
         squared_errors.clear();
@@ -209,7 +216,7 @@ private:
                 pixels.push_back(sampling.At(x, y));
     }
 
-    /// The rows that count.
+    /// The rows that count (Integral_Rows=).
     const pov_base::IntegralRows& Rows() const { return view.GetCamera().Integral_View->rows; }
 
     static POVRect To_Rect(const integral::PictureBlock& block)
@@ -226,9 +233,10 @@ private:
     IntegralSampling& sampling;
     ComparedEncoding compared;
     IntegralRefinement refinement;
+    IntegralFirstSamples first_samples;
     std::vector<Colour> pixels;
     std::vector<float> squared_errors;
-    integral::Reconstruction::Further further;
+    integral::Reconstruction::ExtraSamples extra;
     integral::Reconstruction::ScratchPointer scratch = integral::Reconstruction::make_scratch();
     std::vector<integral::Reconstruction::Result> reconstructed;
     integral::NoiseFilter::ScratchPointer filter_scratch = integral::NoiseFilter::make_scratch();

@@ -8,7 +8,7 @@
 #include "backend/render/trace.h"
 #include "backend/scene/objects.h"
 #include "backend/scene/scene.h"
-#include "integral/lightfield/sample_points.h"
+#include "integral/sampling/sample_points.h"
 
 #include <algorithm>
 
@@ -50,7 +50,8 @@ IntegralAreaLights::Quarter IntegralAreaLights::Choose()
 namespace
 {
 
-/// A part of an area light, which is a grid of points: those from u1 to u2 and from v1 to v2.
+/// A part of an area light's grid of points: points u1 to u2 along one side, v1 to v2 along the
+/// other.
 struct LightPart
 {
     int u1, v1, u2, v2;
@@ -81,7 +82,7 @@ public:
     {
     }
 
-    /// Of the whole light.
+    /// Returns the light of the whole area light.
     RGBColour All(const LightPart& light)
     {
         if (even_levels < 1 || !light.Is_Divisible())
@@ -99,7 +100,7 @@ private:
                                    : see(part, level);
     }
 
-    int even_levels; ///< how often POV-Ray divides without looking
+    int even_levels; ///< number of divisions that POV-Ray always makes
     IntegralAreaLights& choice;
     See see;
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Samples area lights. POV-Ray divides an area light into quarters, and these again, as often as
-// `adaptive` says, and further where the light differs. It takes the mean of all quarters, so that
-// a point of a surface takes up to hundreds of shadow rays. A reconstructed frame takes the mean of
-// many samples anyway (integral/lightfield/reconstruction.h). So where POV-Ray divides without
-// looking, each sample takes two opposite quarters of the light at random, and one quarter of each
-// of these from there on. The expected value is what POV-Ray computes.
+// `adaptive` specifies, and further where the light differs. It averages all quarters, so that a
+// point of a surface needs up to hundreds of shadow rays. A reconstructed frame averages many
+// samples anyway (integral/reconstruction/reconstruction.h). So in the divisions that POV-Ray
+// always makes, each sample takes two opposite quarters of the light at random, and then one random
+// quarter of each of these at every further division. The expected value is what POV-Ray computes.
 #ifndef POVRAY_BACKEND_INTEGRALAREALIGHTS_H
 #define POVRAY_BACKEND_INTEGRALAREALIGHTS_H
 
@@ -15,15 +15,15 @@ namespace pov
 
 class SceneData;
 
-/// One thread's random choices. Those of the samples of one pixel are well distributed over a
+/// One thread's random choices. The choices for one pixel's samples are well distributed over a
 /// light.
 class IntegralAreaLights
 {
 public:
-    /// Whether a scene has area lights that POV-Ray divides without looking.
+    /// Whether a scene has area lights that POV-Ray always divides.
     static bool Of_Use(const SceneData& scene);
 
-    /// Begins a sample: number `index` of the set of samples (those of a pixel) that `key` names.
+    /// Begins sample `index` of a set of samples, such as a pixel's; `key` identifies the set.
     void Begin(std::uint64_t key, std::uint32_t index)
     {
         samples = true;
@@ -32,7 +32,7 @@ public:
         shadows = 0;
     }
 
-    /// Until Begin is called, rays see all of each light.
+    /// Makes rays see all of each light until Begin is called.
     void See_All() { samples = false; }
     bool Samples() const { return samples; }
 
@@ -45,14 +45,14 @@ public:
         bool u, v;
         Quarter Opposite() const { return {!u, !v}; }
     };
-    /// The next choice.
+    /// Returns the next choice.
     Quarter Choose();
 
 private:
     bool samples = false;
     std::uint64_t sample_key = 0;
     std::uint32_t sample_index = 0, shadows = 0;
-    double u = 0, v = 0; ///< where on the part of the light that is left, 0 to 1
+    double u = 0, v = 0; ///< position on the remaining part of the light, 0 to 1
 };
 
 }

@@ -3,6 +3,7 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/render/integralaudit.h"
+#include "backend/render/integralsamplers.h"
 #include "backend/lighting/integralambientnoise.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
@@ -26,21 +27,22 @@ namespace
 
 constexpr double usual_share = 0.002, picture_share = 0.05;
 
-// Unless a share of the pixels is asked for, an audit takes this part of the frame's rays, but
-// examines at least so many pixels, half of them if it knows where errors are expected, and no more
-// than most_pixels or usual_share of them.
+// Unless a share of the pixels is requested, an audit takes part_of_rays times the frame's rays. It examines
+// at least least_pixels, or half as many if expected errors are known, and at most most_pixels or usual_share
+// of the lit pixels, whichever is more.
 constexpr double part_of_rays = 0.05;
 constexpr double least_pixels = 150, most_pixels = 1000;
 
-// The part of the mean expected error that is added to that of each pixel, as it is not certain.
+// This share of the mean expected error is added to each pixel's expected error, which is uncertain.
 constexpr double expected_anywhere = 0.5;
 
-// Samples of a pixel. What they err by themselves must be little beside the error to be found,
-// which is great where there is one ray a pixel. A picture shows single pixels.
+// Number of samples of an audited pixel. The samples' own error must be small compared with the frame's
+// error, which is large with one ray a pixel. An error picture, which shows single pixels, always gets
+// usual_samples.
 constexpr int samples_after_one_ray = 8, usual_samples = 32;
 
-// The noise of radiosity's points is known so well, as a part of the mean square: found by
-// comparing frames of POV-Ray's scenes and of a test with converged ones.
+// Uncertainty of the noise of radiosity's points, as a share of its mean square: found by comparing frames of
+// POV-Ray's scenes and of a test with converged ones.
 constexpr double unsure_with_radiosity = 0.6;
 
 std::uint64_t Key(int x, int y)
@@ -118,7 +120,7 @@ IntegralAudit::Candidate IntegralAudit::Candidate_At(int x, int y, const Colour&
             expected};
 }
 
-/// Records the lit pixels among `of` rendered ones.
+/// Records `lit`, the lit pixels of a number `of` rendered pixels.
 void IntegralAudit::Note(const std::vector<Candidate>& lit, std::size_t of)
 {
     std::lock_guard<std::mutex> lock(mutex);
@@ -132,8 +134,8 @@ void IntegralAudit::Note(const std::vector<Candidate>& lit, std::size_t of)
     Thin_Out();
 }
 
-/// Drops recorded pixels that will not be audited. Keeps twice the requested share of the pixels
-/// seen so far, or the minimum number for a small frame if that is more.
+/// Drops recorded pixels that will not be audited. Retains at most twice the requested share (or
+/// usual_share if greater) of the pixels rendered so far, or 200 * most_pixels if that is more.
 void IntegralAudit::Thin_Out()
 {
     const double most = std::max(200 * most_pixels,
@@ -161,10 +163,10 @@ void IntegralAudit::Choose()
     std::vector<Candidate> candidates = Take_Candidates();
     lit_pixels = std::round(candidates.size() / kept);
     double rays = 0;
-    for (const IntegralTally& tally : counts->tallies)
+    for (const ThreadCounters& tally : counts->tallies)
         rays += double(tally.rays.Get());
     samples = rays < 1.5 * lit_pixels && picture.empty() ? samples_after_one_ray : usual_samples;
-    // Without anti-aliasing nothing is known of single pixels. A picture shows all places alike.
+    // Without anti-aliasing no expected errors are known. An error picture needs equal probabilities.
     const bool by_errors = share == 0 && picture.empty() &&
                            std::all_of(candidates.begin(), candidates.end(),
                                        [](const Candidate& pixel) {
@@ -174,18 +176,18 @@ void IntegralAudit::Choose()
     const double most = std::max(most_pixels, usual_share * lit_pixels),
                  usual = std::max(by_errors ? 0.5 * least_pixels : least_pixels,
                                   std::min(most, part_of_rays * rays / samples)),
-                 wanted = std::ceil(share > 0 ? share * lit_pixels : usual);
-    const std::size_t number = std::min(candidates.size(), std::size_t(wanted));
+                 requested = std::ceil(share > 0 ? share * lit_pixels : usual);
+    const std::size_t number = std::min(candidates.size(), std::size_t(requested));
     if (by_errors && number < candidates.size())
         Take_By_Errors(std::move(candidates), number);
     else
         Take_Any(std::move(candidates), number);
-    // Pixels beside each other meet the same objects, which are then in the processor's caches.
+    // Neighbouring pixels meet the same objects, which are then in the processor's caches.
     std::sort(pixels.begin(), pixels.end(),
               [](const Pixel& a, const Pixel& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
 }
 
-/// The recorded pixels, row by row, which are then forgotten.
+/// Returns the recorded pixels, row by row, and clears the record.
 std::vector<IntegralAudit::Candidate> IntegralAudit::Take_Candidates()
 {
     std::vector<Candidate> candidates;
@@ -202,7 +204,7 @@ std::vector<IntegralAudit::Candidate> IntegralAudit::Take_Candidates()
     return candidates;
 }
 
-/// Sets `pixels` to that number of candidates, all of which have the same chance.
+/// Sets `pixels` to `number` candidates, chosen with equal probability.
 void IntegralAudit::Take_Any(std::vector<Candidate> candidates, std::size_t number)
 {
     const auto end = candidates.begin() + number;
@@ -212,8 +214,8 @@ void IntegralAudit::Take_Any(std::vector<Candidate> candidates, std::size_t numb
         pixels.push_back({candidate->x, candidate->y, candidate->light, 1});
 }
 
-/// The same with chances that grow with the expected errors: systematic sampling, by equal steps
-/// along the sum of the chances, from a random start.
+/// Sets `pixels` to about `number` candidates, chosen with probabilities that grow with the expected errors:
+/// systematic sampling, in equal steps along the sum of the probabilities, from a random start.
 void IntegralAudit::Take_By_Errors(std::vector<Candidate> candidates, std::size_t number)
 {
     const auto mean = [&]
@@ -234,7 +236,7 @@ void IntegralAudit::Take_By_Errors(std::vector<Candidate> candidates, std::size_
         sum += candidate.expected;
         if (sum <= next)
             continue;
-        // One that is longer than a step stands for all the steps in it.
+        // A candidate that spans several steps is weighted by their number.
         const double steps = std::floor((sum - next) / step) + 1;
         pixels.push_back(
             {candidate.x, candidate.y, candidate.light, steps * middle / candidate.expected});
@@ -275,7 +277,7 @@ std::optional<integral::ErrorEstimate> IntegralAudit::Result()
     return error;
 }
 
-/// Reports why the requested error picture is not there; no effect if `error` is empty.
+/// Reports why the requested error picture is missing; no effect if `error` is empty.
 void IntegralAudit::Report_Picture(const std::string& error) const
 {
     if (!picture.empty() && !error.empty())
@@ -284,7 +286,7 @@ void IntegralAudit::Report_Picture(const std::string& error) const
 
 /// Writes a picture of the local error: the frame is divided into squares of about 8 audited
 /// pixels, and each is filled with the grey value of its RMS error. Returns why it could not be
-/// written; empty: it is.
+/// written; empty if it was.
 std::string IntegralAudit::Write_Picture() const
 {
     const integral::Film& film = optics->film;
@@ -353,8 +355,9 @@ void IntegralAuditTask::Run()
 {
     radiosity.BeforeTile(0);
     trace.integralShading = NULL; // the error that shared shading causes counts too
-    IntegralAmbientNoise noise;   // and that of radiosity's points
+    IntegralAmbientNoise noise;   // and so does the noise of radiosity's points
     radiosity.integralAmbient = &noise;
+    std::vector<integral::PixelRay> rays;
     while (IntegralAudit::Pixel *pixel = audit->Next())
     {
         const bool brighter = integral::random_bits(0, Key(pixel->x, pixel->y)) & 1;
@@ -362,14 +365,13 @@ void IntegralAuditTask::Run()
         const int half = audit->Samples() / 2;
         for (int set = 0; set < 2; set++)
         {
-            // The same samples, brighter and darker, differ by nothing but that noise.
+            // The same samples, brighter and darker, differ only by the noise of radiosity's points.
             noise.Set_Direction(audit->Of_Ambient_Noise() ? set == 0 : brighter);
             for (int index = 0; index < half; index++)
             {
-                Colour colour;
-                trace.Integral().Audit(audit->Of_Ambient_Noise() ? 0 : set, index);
-                trace(pixel->x, pixel->y, GetViewData()->GetWidth(), GetViewData()->GetHeight(),
-                      colour);
+                const Colour colour = Trace_Integral_Reference(
+                    trace.Integral(), pixel->x, pixel->y, audit->Of_Ambient_Noise() ? 0 : set, index,
+                    rays);
                 for (int channel = 0; channel < 3; channel++)
                     halves[set][channel] += double(colour[channel]) / half;
                 Cooperate();

@@ -2,8 +2,8 @@
 // Audits a rendered frame: renders a random subset of its lit pixels again with independent samples
 // of pixel area and lens cell, and estimates from them the frame's error against the converged 4-D
 // reference. With radiosity the noise of the points that it gathered counts, too
-// (backend/lighting/integralambientnoise.h). If the error of the frame's samples is known from their
-// halves, the audit looks for that noise alone.
+// (backend/lighting/integralambientnoise.h). If the error of the frame's samples is known from their two
+// halves, the audit estimates only the noise of radiosity's points.
 #ifndef POVRAY_BACKEND_INTEGRALAUDIT_H
 #define POVRAY_BACKEND_INTEGRALAUDIT_H
 
@@ -18,7 +18,7 @@
 #include "backend/render/integraltask.h"
 #include "base/image/image.h"
 #include "base/integraloptions.h"
-#include "integral/lightfield/error_estimate.h"
+#include "integral/frame/error_estimate.h"
 
 namespace pov
 {
@@ -27,12 +27,12 @@ class Camera;
 struct IntegralCounts;
 struct IntegralView;
 
-/// The audit of one view. Which pixels it takes follows from random numbers that are hashes of
-/// (seed, x, y), and from the errors that are expected of them, so that the choice does not depend
-/// on the order in which threads work.
+/// The audit of one view. It chooses pixels by hashes of (seed, x, y), which serve as random
+/// numbers, and by their expected errors, so that the choice does not depend on the order in which
+/// threads work.
 ///
-/// Where the errors to expect are known, pixels with greater ones are taken more often, and count by
-/// the less. Half as many tell the frame's error as well as pixels that are chosen at random.
+/// If expected errors are known, pixels with greater expected errors are chosen more often, and weigh less.
+/// Half as many pixels then give the frame's error as accurately as pixels chosen with equal probabilities.
 class IntegralAudit
 {
 public:
@@ -42,19 +42,19 @@ public:
     {
         int x, y;
         integral::Light rendered;
-        double weight; ///< as how much its error counts in the frame's mean
+        double weight; ///< weight of its error in the frame's mean
         double squared_error = 0;
     };
 
-    /// What stands for the expected squared error of a pixel of which nothing is known, and of one
-    /// that is behind no lens.
+    /// Values in place of an expected squared error: of a pixel whose error is not known, and of a
+    /// pixel behind no lens.
     static constexpr float unknown = -1, unlit = -2;
 
-    /// Records rendered pixels if they are in rows that count. If a pixel is recorded again, the
-    /// last colour counts. `squared_errors`: those that are expected of the pixels, up to a factor.
+    /// Records rendered pixels if they are in rows that count (Integral_Rows=). If a pixel is recorded again,
+    /// its last colour counts. `squared_errors`: the pixels' expected ones, up to a factor.
     void Note(const POVRect& rect, const std::vector<Colour>& pixels,
               const std::vector<float>& squared_errors);
-    /// The same if nothing is known of errors.
+    /// Does the same without expected errors.
     void Note(const POVRect& rect, const std::vector<Colour>& pixels);
     void Note(const std::vector<Vector2d>& positions, const std::vector<Colour>& colours);
 
@@ -65,15 +65,15 @@ public:
     /// first call of Next.
     int Samples() const { return samples; }
 
-    /// Whether only the noise of radiosity's points is looked for.
+    /// Whether only the noise of radiosity's points is estimated.
     bool Of_Ambient_Noise() const { return of_ambient_noise; }
 
     /// The curve from a rendered pixel's light to its values in the picture file.
     const integral::OutputCurve& Output() const { return output; }
 
     /// The frame's error, after all pixels have been audited; nothing if there were fewer than 2.
-    /// Writes the error picture if one was requested; if that fails, IntegralFrame::Add_Problem has
-    /// the reason.
+    /// Writes the error picture if one was requested; if that fails, passes the reason to
+    /// IntegralFrame::Add_Problem.
     std::optional<integral::ErrorEstimate> Result();
 
 private:
@@ -83,7 +83,7 @@ private:
         int x, y;
         integral::Light light;
         std::uint64_t hash;
-        double expected; ///< its squared error, up to a factor, or `unknown`
+        double expected; ///< its expected squared error, up to a factor, or `unknown`
     };
 
     Candidate Candidate_At(int x, int y, const Colour& colour, float expected) const;
@@ -106,7 +106,7 @@ private:
     std::uint64_t seed;
 
     std::mutex mutex;
-    /// Of each row, the lit pixels whose hash is at most the threshold, in the order of recording.
+    /// Lit pixels of each row whose hash is at most the threshold, in the order of recording.
     std::vector<std::vector<Candidate>> noted;
     std::size_t noted_number = 0;
     std::uint64_t threshold = ~std::uint64_t(0);
@@ -119,8 +119,9 @@ private:
     std::chrono::steady_clock::time_point begun;
 };
 
-/// Records the pixels of a finished block of a view. No effect if the view has no audit, or if it is
-/// anti-aliased: then the last pass records its blocks itself, with the errors to expect.
+/// Records the colours of a view's finished block for the statistics, and for the view's audit if
+/// it has one. Not for the audit of an anti-aliased view: there the last pass records its blocks
+/// itself, with their expected errors.
 void Note_Integral_Pixels(const Camera& camera, const POVRect& rect,
                           const std::vector<Colour>& pixels);
 void Note_Integral_Pixels(const Camera& camera, const std::vector<Vector2d>& positions,

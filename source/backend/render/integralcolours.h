@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// POV-Ray's colours as they are clipped, compared and averaged.
+// Clips POV-Ray's colours and converts them for comparing and averaging.
 #ifndef POVRAY_BACKEND_INTEGRALCOLOURS_H
 #define POVRAY_BACKEND_INTEGRALCOLOURS_H
 
@@ -8,8 +8,8 @@
 #include "backend/frame.h"
 #include "base/image/colourspace.h"
 #include "base/integralclipping.h"
-#include "integral/lightfield/first_samples.h"
-#include "integral/lightfield/linear_colour.h"
+#include "integral/frame/linear_colour.h"
+#include "integral/reconstruction/light_field_image.h"
 
 namespace pov
 {
@@ -28,8 +28,8 @@ public:
         return {curve(colour.red()), curve(colour.green()), curve(colour.blue()), colour.transm()};
     }
     const integral::TabulatedCurve& Curve() const { return curve; }
-    /// The value whose encoding differs by `change` from that of a value. Exactly the same if it
-    /// does not differ.
+    /// The value whose encoding differs by `change` from the encoding of `value`; exactly `value`
+    /// if `change` is 0.
     float Changed(float value, float change) const
     {
         const float encoded = curve(value);
@@ -40,8 +40,8 @@ private:
     integral::TabulatedCurve curve, inverse;
 };
 
-/// Clips light to what the picture file can hold. The result is written as the light itself would
-/// be: POV-Ray's encoding makes light more opaque that is brighter than its opacity.
+/// Clips light to what the picture file can hold. The clipped light is written in the same way as
+/// the light itself: POV-Ray's encoding, too, makes light brighter than its opacity more opaque.
 inline void Clip(pov_base::IntegralClipping clipping, Colour& light)
 {
     if (clipping == pov_base::IntegralClipping::none)

@@ -20,8 +20,8 @@ namespace pov
 using integral::StartRegion;
 using integral::Vec3;
 
-/// By the separating axis theorem: no plane parallel to a face of the box, to the region or to an
-/// edge of each separates them.
+/// Applies the separating axis theorem: box and region meet unless a plane separates them that is parallel to
+/// a face of the box, to the region, or to both an edge of the box and one of the region.
 bool Region_Meets(const StartRegion& region, const BBOX& box)
 {
     const Vec3 low{box.Lower_Left[X], box.Lower_Left[Y], box.Lower_Left[Z]};
@@ -77,7 +77,7 @@ bool May_Contain(const ObjectPtr object, const StartRegion& region, TraceThreadD
 
 }
 
-void IntegralContainers::Choose(const integral::IntegralCamera& camera, SceneData& scene,
+void EnclosingObjects::Choose(const integral::IntegralCamera& camera, SceneData& scene,
                                 TraceThreadData *thread)
 {
     const auto region = start_region(camera);
@@ -100,9 +100,8 @@ void IntegralContainers::Choose(const integral::IntegralCamera& camera, SceneDat
         Choose_From(scene.boundingSlabs, chosen);
 }
 
-/// Appends those of the chosen objects that are below a node, in the order in which POV-Ray visits
-/// the tree.
-void IntegralContainers::Choose_From(BBOX_TREE *node, const std::vector<ObjectPtr>& chosen)
+/// Appends the chosen objects below a node, in the order in which POV-Ray visits the tree.
+void EnclosingObjects::Choose_From(BBOX_TREE *node, const std::vector<ObjectPtr>& chosen)
 {
     if (node->Entries == 0)
     {
@@ -115,7 +114,7 @@ void IntegralContainers::Choose_From(BBOX_TREE *node, const std::vector<ObjectPt
         Choose_From(node->Node[i], chosen);
 }
 
-void IntegralContainers::Tell(Ray& ray, TraceThreadData *thread) const
+void EnclosingObjects::Add_Interiors(Ray& ray, TraceThreadData *thread) const
 {
     for (const ObjectPtr object : candidates)
         if (Inside_BBox(ray.Origin, object->BBox) && object->Inside(ray.Origin, thread))

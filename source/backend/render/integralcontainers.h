@@ -20,7 +20,7 @@ bool Region_Meets(const integral::StartRegion& region, const BBOX& box);
 /// The objects of a scene that may contain the start of a camera ray; none if no interior among
 /// them affects a ray. They are chosen once for a view, so that each ray is tested against these
 /// only.
-class IntegralContainers
+class EnclosingObjects
 {
 public:
     void Choose(const integral::IntegralCamera& camera, SceneData& scene, TraceThreadData *thread);
@@ -28,15 +28,15 @@ public:
     /// Whether no ray starts inside an object whose interior affects it.
     bool None() const { return candidates.empty(); }
 
-    /// Whether POV-Ray's own search must be used. It is needed with +BM2, where the order of the
-    /// objects is known only to it, and it is faster for rays that may start anywhere.
-    bool Left_To_POV() const { return left_to_pov && !None(); }
+    /// Whether POV-Ray's own search must be used. It is needed with +BM2, where nothing else can
+    /// find the order of the objects, and it is faster for rays that may start anywhere.
+    bool Use_Generic_Search() const { return left_to_pov && !None(); }
 
     int Number() const { return int(candidates.size()); }
 
-    /// Adds to the ray's list of interiors those that contain its origin, in the order in which
+    /// Adds the interiors that contain the ray's origin to its list, in the order in which
     /// POV-Ray's own search finds them.
-    void Tell(Ray& ray, TraceThreadData *thread) const;
+    void Add_Interiors(Ray& ray, TraceThreadData *thread) const;
 
 private:
     void Choose_From(BBOX_TREE *node, const std::vector<ObjectPtr>& chosen);

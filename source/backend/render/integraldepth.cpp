@@ -24,7 +24,7 @@ namespace pov
 namespace
 {
 
-/// What the camera sees as a surface.
+/// Accepts objects that the camera sees as surfaces.
 struct SurfaceCondition : NoSomethingFlagRayObjectCondition
 {
     bool operator()(const Ray& ray, const ObjectBase *object, DBL data) const override

@@ -10,7 +10,7 @@
 
 #include "backend/frame.h"
 #include "backend/render/integraltask.h"
-#include "integral/lightfield/pixel_sampler.h"
+#include "integral/sampling/pixel_sampler.h"
 
 namespace pov
 {
@@ -24,7 +24,7 @@ struct IntegralView;
 class IntegralDepth
 {
 public:
-    /// `distances`: Probe_Integral_Depths, which the file will contain, too.
+    /// `distances`: the result of Probe_Integral_Depths, which the file contains, too.
     IntegralDepth(const IntegralView& view, const std::string& file,
                   const std::vector<double>& distances);
 
@@ -34,7 +34,7 @@ public:
     /// Computes the depths of a row with `trace`.
     void Find_Row(int row, Trace& trace);
 
-    /// Writes the file. If that fails, IntegralFrame::Add_Problem has the reason.
+    /// Writes the file. If that fails, passes the reason to IntegralFrame::Add_Problem.
     void Write() const;
 
 private:

@@ -35,7 +35,7 @@ namespace
 using integral::Vec2;
 using integral::Vec3;
 
-/// The seen objects near the aperture.
+/// The visible objects whose bounding boxes meet the region of the aperture.
 std::vector<ObjectPtr> Objects_Near(const integral::StartRegion& region, const SceneData& scene)
 {
     std::vector<ObjectPtr> near;
@@ -69,8 +69,8 @@ bool Are_Parted(Vec3 from, Vec3 to, const std::vector<ObjectPtr>& objects, Trace
                        });
 }
 
-/// Looks from the eye to points of the aperture, for some processor time: what else the machine
-/// does changes no finding.
+/// Looks from the eye to points of the aperture, for a limited processor time, so that other work
+/// on the machine does not change the result.
 struct Look
 {
     const integral::IntegralCamera& camera;
@@ -102,21 +102,21 @@ template <class Visit> void Visit_Rays(const Look& look, Visit visit)
     }
 }
 
-/// The share of the rays that start at a parted point.
+/// Fraction of the rays that start behind a surface, seen from the eye.
 double Parted_Rays(const Look& look)
 {
-    int rays = 0, parted = 0;
+    int rays = 0, blocked_share = 0;
     Visit_Rays(look,
                [&](const auto& ray)
                {
                    rays++;
-                   parted += look.Is_Parted(ray.aperture_point);
+                   blocked_share += look.Is_Parted(ray.aperture_point);
                });
-    return rays > 0 ? double(parted) / rays : 0;
+    return rays > 0 ? double(blocked_share) / rays : 0;
 }
 
-/// How large a part of the aperture about its middle has no parted point on its edge, in
-/// twentieths of its width and height.
+/// Share of the aperture's width and height, about its middle, that is free: it grows by a twentieth at a
+/// time, until a tested point on the edge of that part is behind a surface.
 double Clear_Part(const Look& look, Vec2 half)
 {
     constexpr int steps = 20, around = 24;
@@ -134,12 +134,12 @@ double Clear_Part(const Look& look, Vec2 half)
 
 }
 
-IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, const SceneData& scene,
+ApertureObstruction Probe_Integral_Starts(const integral::IntegralCamera& camera, const SceneData& scene,
                                      TraceThreadData *thread)
 {
     const integral::Aperture& aperture = camera.optics.aperture();
     const Vec2 half{0.5 * aperture.width, 0.5 * aperture.height};
-    IntegralStarts starts;
+    ApertureObstruction starts;
     if (camera.pseudoscopic || camera.projection ||
         (camera.depth_range && camera.depth_range->x < aperture.distance))
         return starts;
@@ -150,8 +150,8 @@ IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, con
                              scene);
     if (look.near.empty())
         return starts;
-    starts.parted = Parted_Rays(look);
-    if (starts.parted > 0)
+    starts.blocked_share = Parted_Rays(look);
+    if (starts.blocked_share > 0)
         starts.clear = Clear_Part(look, half);
     return starts;
 }
@@ -159,7 +159,7 @@ IntegralStarts Probe_Integral_Starts(const integral::IntegralCamera& camera, con
 namespace
 {
 
-/// Whether a ray from an origin may meet a box, in a direction none of whose components is a NaN.
+/// Whether a ray may meet a box. No component of `direction` may be a NaN.
 bool May_Meet(const Vec3& origin, const Vec3& direction, const BBOX& box)
 {
     const double from[3] = {origin.x, origin.y, origin.z},
@@ -184,7 +184,7 @@ bool May_Meet(const Vec3& origin, const Vec3& direction, const BBOX& box)
     return near <= far;
 }
 
-/// How far along the ray the first seen surface is; HUGE_VAL: there is none.
+/// Distance along the ray to the first visible surface; HUGE_VAL if there is none.
 double First_Surface(const Ray& ray, const Vec3& origin, const Vec3& direction, const SceneData& scene,
                      TraceThreadData *thread)
 {

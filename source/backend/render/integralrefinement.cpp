@@ -3,7 +3,7 @@
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"
 #include "backend/render/integralrefinement.h"
-#include "integral/lightfield/sample_halves.h"
+#include "integral/reconstruction/split_half_error.h"
 
 // this must be the last file included
 #include "base/povdebug.h"
@@ -23,13 +23,13 @@ double In_Linear_Light(double linear, double encoded)
 
 }
 
-IntegralRefinement::IntegralRefinement(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+IntegralRefinement::IntegralRefinement(ViewThreadData& thread, IntegralTracer& tracer,
                                        Trace::CooperateFunctor& cooperate,
                                        const IntegralRefinementOptions& options,
                                        const ComparedEncoding& compared, IntegralSampling& sampling)
-    : view(view),
-      thread(thread),
-      trace(trace),
+    : thread(thread),
+      tracer(tracer),
+      beam(tracer),
       cooperate(cooperate),
       options(options),
       rule(options.rule),
@@ -50,7 +50,7 @@ void IntegralRefinement::Run(const integral::PictureBlock& of)
         {
             const double contrast = sampling.First().contrast(x, y);
             if (contrast >= least)
-                Want(x, y, contrast);
+                Request(x, y, contrast);
             if (contrast >= 0)
                 Keep(x, y, integral::squared_error_of_one(contrast));
         }
@@ -58,31 +58,30 @@ void IntegralRefinement::Run(const integral::PictureBlock& of)
     {
         const int x = waiting[next].first, y = waiting[next].second;
         const integral::Refinement result = Refine(x, y);
-        // The first samples of its neighbours may have missed the same edge.
+        // The neighbours' first samples may have missed the edge that this pixel's samples found.
         if (result.scatter() >= least)
             sampling.First().for_each_neighbour(
-                x, y, [&](int i, int j) { Want(i, j, result.contrast_shown()); });
+                x, y, [&](int i, int j) { Request(i, j, result.contrast_shown()); });
     }
     if (integral::BeamSamples *const lent = sampling.Lent())
         lent->store(block.top, gathered);
 }
 
-int IntegralRefinement::Take_Further(int x, int y, int begin, int number,
+int IntegralRefinement::Take_Extra(int x, int y, int begin, int number,
                                      integral::LinearColour& sum)
 {
     int taken = 0;
-    trace.Integral().Refine(x, y, !options.jitter, sampling.First(), NULL);
+    beam.Begin(x, y, !options.jitter, sampling.First());
     for (int index = begin; index < begin + number; index++)
     {
-        Colour seen;
-        if (!Take(x, y, index, begin + number - index, seen))
+        const auto sample = Take(index, begin + number - index);
+        if (!sample)
             continue;
         taken++;
-        const integral::LinearColour light = Linear(seen);
+        const integral::LinearColour light = Linear(sample->hit.light);
         for (std::size_t channel = 0; channel < light.size(); channel++)
             sum[channel] += light[channel];
     }
-    trace.Integral().Take_Camera_Rays();
     return taken;
 }
 
@@ -91,29 +90,29 @@ integral::Refinement IntegralRefinement::Refine(int x, int y)
     thread.Stats()[Number_Of_Pixels_Supersampled]++;
     integral::BeamSamples *const lent = sampling.Lent();
     integral::Refinement refinement(rule, expected[Index(x, y)]);
-    integral::SampleHalves halves;
+    integral::SplitHalfError halves;
     bool any = false;
     std::uint32_t index = 0;
     const Colour first = sampling.At(x, y);
-    trace.Integral().Refine(x, y, !options.jitter, sampling.First(), lent ? &first : NULL);
+    beam.Begin(x, y, !options.jitter, sampling.First());
     if (lent)
     {
+        beam.Add(first);
         gathered.begin(x, y);
         refinement.add(compared(first));
         halves.add(Linear(first));
         thread.Stats()[Number_Of_Samples]++;
         index++;
     }
-    while (const int wanted = refinement.wanted())
-        for (int k = 0; k < wanted; k++)
+    while (const int requested = refinement.requested())
+        for (int k = 0; k < requested; k++)
         {
-            Colour seen;
-            if (Take(x, y, index++, wanted - k, seen))
+            if (const auto sample = Take(index++, requested - k))
             {
-                refinement.add(compared(seen));
-                halves.add(Linear(seen));
+                refinement.add(compared(sample->hit.light));
+                halves.add(Linear(sample->hit.light));
                 if (lent)
-                    gathered.add(*lent, trace.Integral().Seen(seen));
+                    gathered.add(*lent, tracer.Seen(sample->ray, sample->hit));
                 any = true;
             }
             else
@@ -124,12 +123,11 @@ integral::Refinement IntegralRefinement::Refine(int x, int y)
         }
     if (any)
     {
-        sampling.At(x, y) = trace.Integral().Refined();
+        sampling.At(x, y) = beam.Mean();
         Keep(x, y, refinement.squared_error(), halves.squared_error(compared.Curve()),
              refinement.samples(),
              In_Linear_Light(halves.squared_deviations(), refinement.squared_deviations()));
     }
-    trace.Integral().Take_Camera_Rays();
     return refinement;
 }
 

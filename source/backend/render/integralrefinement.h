@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The second pass of anti-aliasing (integralsampling.h): takes more samples of the pixels of a
-// block that differ from their neighbours in the light field. And takes the further samples that
-// reconstruction asks for.
+// block that differ from their neighbours in the light field. Also takes the extra samples that
+// reconstruction requests.
 #ifndef POVRAY_BACKEND_INTEGRALREFINEMENT_H
 #define POVRAY_BACKEND_INTEGRALREFINEMENT_H
 
@@ -12,6 +12,7 @@
 
 #include "backend/frame.h"
 #include "backend/render/integralcolours.h"
+#include "backend/render/integralsamplers.h"
 #include "backend/render/integralsampling.h"
 #include "backend/scene/scene.h"
 #include "backend/scene/view.h"
@@ -19,20 +20,20 @@
 namespace pov
 {
 
-/// One thread's.
+/// One thread's refinement.
 class IntegralRefinement
 {
 public:
     /// Refers to all of these, which must outlive it.
-    IntegralRefinement(ViewData& view, ViewThreadData& thread, TracePixel& trace,
+    IntegralRefinement(ViewThreadData& thread, IntegralTracer& tracer,
                        Trace::CooperateFunctor& cooperate, const IntegralRefinementOptions& options,
                        const ComparedEncoding& compared, IntegralSampling& sampling);
 
-    /// Refines the pixels of a block, of which first samples have been taken, also around it.
+    /// Refines the pixels of a block. First samples must have been taken in it and around it.
     void Run(const integral::PictureBlock& of);
 
-    /// integral::Reconstruction::Further::take
-    int Take_Further(int x, int y, int begin, int number, integral::LinearColour& sum);
+    /// Implements integral::Reconstruction::ExtraSamples::take.
+    int Take_Extra(int x, int y, int begin, int number, integral::LinearColour& sum);
 
 private:
     int Width() const { return block.right - block.left + 1; }
@@ -41,9 +42,9 @@ private:
         return std::size_t(y - block.top) * Width() + (x - block.left);
     }
 
-    /// Has a pixel refined, if it is one of the block's. `contrast`: what its surroundings let
-    /// expect.
-    void Want(int x, int y, double contrast)
+    /// Queues a pixel for refinement, if it is one of the block's, with the contrast expected from
+    /// its neighbours.
+    void Request(int x, int y, double contrast)
     {
         if (x < block.left || x > block.right || y < block.top || y > block.bottom)
             return;
@@ -53,24 +54,22 @@ private:
         most = std::max(most, contrast);
     }
 
-    /// Traces one sample of the pixel that is being refined, the first of `number` that are to be
-    /// taken one after the other. Returns whether it belongs to the pixel's lens.
-    bool Take(int x, int y, std::uint32_t index, int number, Colour& seen)
+    /// Traces one sample of the beam (IntegralBeam::Trace).
+    std::optional<IntegralSample> Take(std::uint32_t index, int number)
     {
-        trace.Integral().Take(index, number);
-        trace(x, y, view.GetWidth(), view.GetHeight(), seen);
+        const std::optional<IntegralSample> sample = beam.Trace(index, number);
         thread.Stats()[Number_Of_Samples]++;
         cooperate();
-        return trace.Integral().Imaged();
+        return sample;
     }
 
     integral::Refinement Refine(int x, int y);
     void Keep(int x, int y, double squared_error, double squared_error_of_halves = -1,
               integral::SamplesTaken samples = {}, double in_linear_light = 0);
 
-    ViewData& view;
     ViewThreadData& thread;
-    TracePixel& trace;
+    IntegralTracer& tracer;
+    IntegralBeam beam; ///< of the pixel that is being refined
     Trace::CooperateFunctor& cooperate;
     const IntegralRefinementOptions& options;
     integral::RefinementRule rule;

@@ -22,8 +22,8 @@ namespace
 
 enum Part
 {
-    lent_part,    ///< the first one, because it needs the greatest alignment
-    lenders_part, ///< belongs to it
+    lent_part,    ///< comes first because it needs the greatest alignment
+    lenders_part, ///< follows lent_part, as BeamSamples requires
     colours_part,
     first_part,
     reconstruction_part
@@ -31,7 +31,7 @@ enum Part
 
 std::vector<std::size_t> Parts(bool reconstructs)
 {
-    std::vector<std::size_t> parts = {0, 0, sizeof(Colour), integral::FirstSamples::bytes_a_pixel};
+    std::vector<std::size_t> parts = {0, 0, sizeof(Colour), integral::LightFieldImage::bytes_a_pixel};
     if (reconstructs)
     {
         parts[lent_part] = integral::BeamSamples::bytes_of_pixels;
@@ -73,7 +73,7 @@ std::size_t IntegralSampling::Bytes_A_Pixel() const
 std::shared_ptr<pov_base::IntegralMemory> IntegralSampling::Memory(const integral::Film& film,
                                                                    std::size_t most) const
 {
-    const long long around = side + pass_rows.looked_at() + pass_rows.kept_from();
+    const long long around = side + pass_rows.refine_margin() + pass_rows.retain_margin();
     const std::size_t pixels = std::size_t(width) * height,
                       above = width * std::size_t(std::max(0LL, rows.first - around)),
                       below = width *
@@ -110,7 +110,7 @@ void IntegralSampling::Done(int pass, const integral::PictureBlock& block)
         rows_left.erase(row);
     // Blocks are at most `side` rows high.
     lent->forget_above((rows_left.empty() ? height : rows_left.begin()->first) -
-                       pass_rows.kept_from() - side);
+                       pass_rows.retain_margin() - side);
 }
 
 void IntegralSampling::Begin(ViewData& view)
@@ -128,15 +128,15 @@ void IntegralSampling::Begin(ViewData& view)
 
 void IntegralSampling::Make_Schedule()
 {
-    std::vector<bool> wanted(area.GetHeight()), counting(area.GetHeight());
+    std::vector<bool> requested(area.GetHeight()), counting(area.GetHeight());
     for (const auto& block : serials)
         for (int y = block.first.second; y < block.first.second + side && y <= int(area.bottom);
              y++)
         {
-            wanted[y - area.top] = true;
+            requested[y - area.top] = true;
             counting[y - area.top] = rows.Have(y);
         }
-    scheduled = pass_rows.passes(wanted, counting);
+    scheduled = pass_rows.passes(requested, counting);
     schedule.reset(new integral::PassSchedule(
         {int(area.left), int(area.top), int(area.right), int(area.bottom)}, side, scheduled));
     for (const auto& block : serials)

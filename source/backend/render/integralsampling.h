@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Anti-aliases (+A) the frame of an integral camera in passes over its blocks: the first takes one
-// sample of every pixel; the second takes more samples of pixels that differ from their neighbours
-// in the light field; two more reconstruct the frame from the samples of all pixels, and the last
-// lowers the noise that this leaves.
+// Anti-aliases (+A) the frame of an integral camera in passes over its blocks: the first takes one sample of
+// every pixel; the second takes more samples of pixels that differ from their neighbours in the light field;
+// two more reconstruct the frame from the samples of all pixels, and the last lowers the noise that
+// reconstruction leaves.
 #ifndef POVRAY_BACKEND_INTEGRALSAMPLING_H
 #define POVRAY_BACKEND_INTEGRALSAMPLING_H
 
@@ -17,11 +17,11 @@
 #include "base/image/colourspace.h"
 #include "base/integralmemory.h"
 #include "base/integraloptions.h"
-#include "integral/lightfield/noise_filter.h"
-#include "integral/lightfield/pass_rows.h"
-#include "integral/lightfield/pass_schedule.h"
-#include "integral/lightfield/reconstruction.h"
-#include "integral/lightfield/refinement.h"
+#include "integral/reconstruction/noise_filter.h"
+#include "integral/reconstruction/pass_rows.h"
+#include "integral/reconstruction/pass_schedule.h"
+#include "integral/reconstruction/reconstruction.h"
+#include "integral/reconstruction/refinement.h"
 
 namespace pov
 {
@@ -53,8 +53,8 @@ public:
         reconstruction,
         filtering
     };
-    /// The shares of the passes in the displayed progress; the rest is the reconstruction's and the
-    /// filter's.
+    /// The shares of the passes in the displayed progress; reconstruction and the noise filter have the
+    /// remaining share.
     static constexpr float sampling_share = 0.4f, refinement_share = 0.5f;
 
     /// `rows`: the rows that count. `side`: width and height of the view's blocks, pixels.
@@ -69,31 +69,30 @@ public:
     void Begin(ViewData& view);
     integral::PassSchedule& Schedule() { return *schedule; }
 
-    /// Whether a block of the last pass is one of those to be rendered; then sets its serial
-    /// number.
+    /// Whether a block of the last pass is to be rendered; if so, sets `serial` to its number.
     bool Is_Wanted(const integral::PictureBlock& block, unsigned int& serial) const;
 
-    /// Whether a block of an earlier pass may be shown: it does not overwrite what an earlier
-    /// render finished (+C).
+    /// Whether a block may be shown before its last pass: not if that would overwrite what an earlier render
+    /// finished (+C).
     bool Shows(const integral::PictureBlock& block) const;
 
-    /// The block of which a pass works on a part.
+    /// The whole block of the view that contains `part`, the piece on which a pass works.
     integral::PictureBlock Whole(const integral::PictureBlock& part) const;
 
     int Last_Pass() const { return int(scheduled.size()) - 1; }
 
-    /// The part of a block's progress that the passes before the last report, 0 to 1.
+    /// The progress (0 to 1) that the passes before the last report for a block.
     float Progress(const integral::PictureBlock& block) const;
 
-    /// Reports that a pass is done with a block, after the schedule knows it.
+    /// Reports that a pass is done with a block. Call it after PassSchedule::finish.
     void Done(int pass, const integral::PictureBlock& block);
 
-    integral::FirstSamples& First() { return first; }
+    integral::LightFieldImage& First() { return first; }
     /// Null: the frame is not reconstructed.
     integral::Reconstruction *Reconstruction() const { return reconstructor.get(); }
     /// Null: the frame is not reconstructed.
     const integral::NoiseFilter *Filter() const { return filter.get(); }
-    /// The samples that pixels lend each other; null if the frame is not reconstructed.
+    /// The samples that pixels share; null if the frame is not reconstructed.
     integral::BeamSamples *Lent() const { return lent.get(); }
     Colour& At(int x, int y) { return colours[std::size_t(y) * width + x]; }
 
@@ -104,12 +103,12 @@ private:
     integral::PassRows pass_rows;
     std::vector<std::size_t> parts; ///< bytes a pixel of each part of the memory
     std::shared_ptr<pov_base::IntegralMemory> memory;
-    integral::FirstSamples first;
+    integral::LightFieldImage first;
     std::unique_ptr<integral::BeamSamples> lent;
     std::unique_ptr<integral::Reconstruction> reconstructor;
     std::unique_ptr<integral::NoiseFilter> filter;
     Colour *colours;
-    std::mutex mutex;             ///< of Begin and of rows_left
+    std::mutex mutex;             ///< guards Begin and rows_left
     std::map<int, int> rows_left; ///< unfinished blocks to be rendered, by their first row
     POVRect area;                 ///< the rendered part of the frame
     std::map<std::pair<int, int>, unsigned int> serials; ///< of the blocks to be rendered, by left

@@ -10,7 +10,7 @@
 #include "backend/scene/integralcamera.h"
 #include "backend/scene/objects.h"
 #include "backend/scene/scene.h"
-#include "integral/lightfield/pixel_sampler.h"
+#include "integral/sampling/pixel_sampler.h"
 
 #include <cmath>
 #include <cstring>
@@ -29,7 +29,7 @@ constexpr int height_steps = 4;                          // height of a patch, i
 
 double Random(std::uint64_t bits) { return double(bits >> 11) * 0x1p-53; }
 
-/// Makes an object's normal the one that POV-Ray's shading uses.
+/// Turns an object's normal to the direction that POV-Ray's shading uses.
 void Turn_Out(VECTOR normal, const ObjectBase *object)
 {
     if (Test_Flag(object, INVERTED_FLAG))
@@ -61,7 +61,7 @@ double Against(const VECTOR normal, const Ray& ray)
 
 }
 
-IntegralCachedShading::IntegralCachedShading(IntegralShadingCache& patches, IntegralTally& tally,
+IntegralCachedShading::IntegralCachedShading(IntegralShadingCache& patches, ThreadCounters& tally,
                                              TraceThreadData *thread)
     : patches(patches), tally(tally), thread(thread)
 {
@@ -96,8 +96,7 @@ bool IntegralCachedShading::May_Share(const Ray& ray)
     return true;
 }
 
-/// Returns whether the ray sees the object's inside, and sets `normal` to the one that shading
-/// uses.
+/// Returns whether the ray meets the object's inside, and sets `normal` as shading uses it.
 bool IntegralCachedShading::Side_Seen(Intersection& isect, const Ray& ray, VECTOR normal) const
 {
     isect.Object->Normal(normal, &isect, thread);
@@ -105,7 +104,7 @@ bool IntegralCachedShading::Side_Seen(Intersection& isect, const Ray& ray, VECTO
     return Against(normal, ray) > 0;
 }
 
-/// `coarser`: number of levels by which patches are larger than those for colours.
+/// Finds the patch of an intersection. `coarser`: levels by which it is larger than one for colours.
 bool IntegralCachedShading::Locate(const Intersection& isect, const VECTOR normal, bool inside,
                                    int coarser, Place& place) const
 {
@@ -144,7 +143,7 @@ bool IntegralCachedShading::Locate(const Intersection& isect, const VECTOR norma
     return true;
 }
 
-/// The place in the table where the same patch stores its light from one source: in another row.
+/// Place in the table of source `light`'s light on a patch: not in the row of the patch's colour.
 IntegralCachedShading::Place IntegralCachedShading::Of_Light(const Place& place, int light)
 {
     Place of_light = place;

@@ -28,18 +28,18 @@ namespace pov
 class SceneData;
 class Trace;
 class TraceThreadData;
-struct IntegralTally;
+struct ThreadCounters;
 
 /// One thread's use of the patches.
 class IntegralCachedShading
 {
 public:
-    IntegralCachedShading(IntegralShadingCache& patches, IntegralTally& tally,
+    IntegralCachedShading(IntegralShadingCache& patches, ThreadCounters& tally,
                           TraceThreadData *thread);
 
-    /// Whether a scene's shading costs much more than looking up a patch: if it has radiosity or an
-    /// area light. Point lights do not count, whatever their number, because the patches' errors
-    /// may then outweigh the time saved.
+    /// Whether a scene's shading costs much more than looking up a patch: whether the scene has radiosity or
+    /// an area light. Point lights do not count, whatever their number, because the patches' errors may then
+    /// outweigh the time saved.
     static bool Pays(const SceneData& scene);
 
     /// Sets `colour` to the shared colour of the surface that a ray meets and returns true; returns
@@ -48,8 +48,8 @@ public:
     template <class Shade>
     bool Colour_Of(Intersection& isect, const Ray& ray, Trace& trace, Colour& colour, Shade shade);
 
-    /// Reduces a light's colour to the part that reaches a point of a surface and returns true, if
-    /// that point was the last one for which Colour_Of returned false. `test(const Vector3d& at,
+    /// If a point of a surface is the last one for which Colour_Of returned false, reduces a light's
+    /// colour to the part that reaches the point, and returns true. `test(const Vector3d& at,
     /// RGBColour& full, RGBColour& left)` computes the light at a patch's point without and with
     /// shadows.
     template <class Test>
@@ -57,7 +57,7 @@ public:
                   RGBColour& colour, Test test);
 
 private:
-    /// What a texture's colour depends on. steady: the point only. own: also the ray.
+    /// Dependence of a texture's colour. steady: on the point only. own: also on the ray.
     enum Kind
     {
         steady,
@@ -72,7 +72,7 @@ private:
         std::uint64_t key;
         std::uint64_t spot; ///< random bits for the patch's point; the same in every run
         int axis;           ///< axis of the normal's largest component
-        bool positive;      ///< whether the side that is seen faces larger coordinates
+        bool positive;      ///< whether the visible side faces larger coordinates
         bool inside;        ///< whether that side is the object's inside
         double size;        ///< size of the patch, scene units
         double centre[3];   ///< centre of the patch
@@ -91,12 +91,12 @@ private:
     bool Locate(const Intersection& isect, const VECTOR normal, bool inside, int coarser,
                 Place& place) const;
     static Place Of_Light(const Place& place, int light);
-    /// The position of a patch's point on the patch's axis, from the middle, in patch sizes: the
-    /// patch's note; NaN if it has no point.
+    /// The position of a patch's point on the patch's axis, from the middle, in patch sizes. The
+    /// patch's note holds it, or NaN if the patch has no point.
     static float Height_Of(const Intersection& at, const Place& place);
     static bool On_Patch(const IntegralShadingCache::Patch& patch, const Place& place,
                          const Intersection& isect);
-    /// Gets the patch of a place, which is computed first if it is not in the table: `look(const
+    /// Gets the patch of a place. If it is not in the table, it is computed first: `look(const
     /// Ray&, Intersection&)` fills in the colour at its point and returns whether it is valid.
     /// Returns false if the surface at the intersection does not belong to the patch.
     template <class Look>
@@ -110,7 +110,7 @@ private:
     void Count(bool worked_out);
 
     IntegralShadingCache& patches;
-    IntegralTally& tally;
+    ThreadCounters& tally;
     TraceThreadData *thread;
     std::unordered_map<const TEXTURE *, Kind> kinds;
     Lit lit;

@@ -59,7 +59,7 @@ std::size_t IntegralShadingCache::Slot(std::uint64_t row, std::size_t column) co
 constexpr double farthest = 1e12; // mm
 
 /// At the sheet a pixel's beam is as wide as its lens, and it spreads by the pixel's angle. Along a
-/// cylindrical lens it is one pixel high at the sheet and spreads as seen from the aperture.
+/// cylindrical lens the beam is one pixel high at the sheet, and spreads as seen from the aperture.
 int IntegralShadingCache::Level(const VECTOR point) const
 {
     const integral::Placement& at = camera.placement;
@@ -68,7 +68,7 @@ int IntegralShadingCache::Level(const VECTOR point) const
                                     ? image_of(camera.relief, integral::Vec3{0, 0, behind})
                                           .value_or(integral::Vec3{0, 0, farthest})
                                     : integral::Vec3{0, 0, behind};
-    // A beam is narrower in the scene than it is seen, or wider.
+    // In the scene, a beam is narrower or wider than the viewer sees it.
     const double z = std::min(std::fabs(seen.z), farthest),
                  narrower = std::max(1e-9, std::fabs(1 + camera.relief.bend * behind));
     const double pitch = camera.optics.sheet().pitch;

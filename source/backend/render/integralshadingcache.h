@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The table of shaded patches that rays of different lenses share (integralshading.h says what a
-// patch is), or of their ambient light (integralsharedambient.h).
+// Stores the shaded patches that rays of different lenses share (integralshading.h defines a
+// patch), or their ambient light (integralsharedambient.h).
 #ifndef POVRAY_BACKEND_INTEGRALSHADINGCACHE_H
 #define POVRAY_BACKEND_INTEGRALSHADINGCACHE_H
 
@@ -20,8 +20,8 @@ class IntegralShadingCache
 {
 public:
     /// `cells`: the approximate number of patches that a pixel's beam covers, which determines
-    /// their size. `slots_a_pixel`: about the number of patches in the table, by the frame's
-    /// pixels.
+    /// their size. `slots_a_pixel`: the approximate number of patches in the table for each of the
+    /// frame's pixels.
     IntegralShadingCache(const integral::IntegralCamera& camera, double cells,
                          double slots_a_pixel = 8);
 
@@ -32,8 +32,8 @@ public:
     struct Patch
     {
         std::uint64_t key = 0;  ///< 0: empty
-        float red, green, blue; ///< its colour; for a light, the fractions that reach the patch
-        float note;             ///< what else is known of it
+        float red, green, blue; ///< the patch's colour; for a light, the fractions that reach it
+        float note;             ///< the height of its point, or the quality of ambient light
     };
 
     /// Looks up the patch with a key at its slot; false if it is not there.
@@ -47,8 +47,8 @@ public:
     int Level(const VECTOR point) const;
     static double Size(int level); ///< scene units
 
-    /// The number of levels by which patches for lights may be larger than those for colours,
-    /// because they contain no pigment and no highlight. They are not larger than a beam.
+    /// The number of levels by which patches for lights may be larger than patches for colours: light without
+    /// pigment and highlights varies less. Patches for lights are not larger than a beam.
     int Coarser_For_Lights() const;
 
     /// Whether patches at the sheet are large compared with POV-Ray's tolerances.

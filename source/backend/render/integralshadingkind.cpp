@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What the colour of a texture depends on: the point of the surface only, or the ray, too, as with
-// highlights, mirrors and glass.
+// Determines whether a texture's colour depends on the point of the surface only, or also on the
+// ray, as with highlights, mirrors and glass.
 
 // frame.h must be the first POV-Ray file included (pulls in platform config)
 #include "backend/frame.h"

@@ -6,6 +6,7 @@
 #include "backend/render/integralcolours.h"
 #include "backend/render/integralsampling.h"
 #include "backend/render/ray.h"
+#include "backend/render/tracepixel.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
 #include "backend/scene/scene.h"
@@ -19,103 +20,116 @@
 namespace pov
 {
 
-void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadData *of_thread,
-                           const DBL *of_normal)
+/// Traces a ray up to the distance `length` (scene units; 0 = unlimited). Returns the distance of
+/// the surface that it met; HUGE_VAL: none.
+DBL TracePixel::Trace_Integral_Ray(Ray& ray, DBL length, Colour& colour)
 {
-    normal = of_normal;
+    if (integralTracer.Search_Containers())
+        InitRayContainerState(ray, true);
+    Trace::TraceTicket ticket(maxTraceLevel, adcBailout, sceneData->outputAlpha);
+    return TraceRay(ray, colour, 1.0, ticket, false, length);
+}
+
+void IntegralTracer::Setup(const Camera& camera, SceneData& scene, TraceThreadData *of_thread,
+                           TracePixel& of_pixels, const DBL *of_normal)
+{
     view = camera.Integral_View;
-    active = view != nullptr;
-    tally = nullptr;
+    pixels = &of_pixels;
+    normal = of_normal;
     thread = of_thread;
-    if (!active)
+    if (!Active())
         return;
     containers.Choose(*view->optics, scene, thread);
-    counts_error = view->error.by_halves;
-    clipping = view->clipping;
-    quilt = view->quilt != nullptr;
-    one_ray = quilt || view->sampler->gives_one_ray();
-    run_y = first_y = last_y = -1;
-    keeps_depth = view->sampling != nullptr;
+    walk = Row_Walk();
+    finds_depth = view->sampling != nullptr;
     std::lock_guard<std::mutex> lock(view->counts->mutex);
-    tally = &view->counts->tallies.emplace_back();
+    counters = &view->counts->tallies.emplace_back();
     view->counts->containers = containers.Number();
     view->counts->objects = int(scene.objects.size());
     shading.reset();
     if (view->shading_cache && view->shading_cache->Of_Use() &&
-        (!view->caches_dear_shading_only || IntegralCachedShading::Pays(scene)))
-        shading.reset(new IntegralCachedShading(*view->shading_cache, *tally, thread));
+        (!view->cache_expensive_shading_only || IntegralCachedShading::Pays(scene)))
+        shading.reset(new IntegralCachedShading(*view->shading_cache, *counters, thread));
     const bool reconstructs = view->sampling && view->sampling->Reconstruction();
     area_lights.reset(reconstructs && !shading && IntegralAreaLights::Of_Use(scene)
                           ? new IntegralAreaLights
                           : nullptr);
-    ambient.reset(view->ambient_cells ? new IntegralSharedAmbient(*view->ambient_cells, *tally)
+    ambient.reset(view->ambient_cells ? new IntegralSharedAmbient(*view->ambient_cells, *counters)
                                       : nullptr);
 }
 
 void IntegralTracer::Count(const integral::PixelOutcome& outcome, std::size_t traced) const
 {
-    tally->film_points.Add(outcome.film_points);
-    tally->imaged.Add(outcome.imaged);
-    tally->searched.Add(outcome.searched);
-    tally->outside_aperture.Add(outcome.outside_aperture);
-    tally->total_reflection.Add(outcome.total_reflection);
-    tally->rays.Add(traced);
-    tally->container_searches.Add(containers.None() ? 0 : traced);
+    counters->film_points.Add(outcome.film_points);
+    counters->imaged.Add(outcome.imaged);
+    counters->searched.Add(outcome.searched);
+    counters->outside_aperture.Add(outcome.outside_aperture);
+    counters->total_reflection.Add(outcome.total_reflection);
+    counters->rays.Add(traced);
+    counters->container_searches.Add(containers.None() ? 0 : traced);
 }
 
-/// Begins the choice of area lights' parts for the next sample of a pixel.
-void IntegralTracer::Choose_Area_Lights(DBL x, DBL y)
+/// A random key of pixel (x, y), also with -J: if every pixel saw the same parts of an area light, the frame
+/// would show another, smaller light.
+static std::uint64_t Pixel_Key(const IntegralView& view, DBL x, DBL y)
 {
-    if (mode == camera_rays) // radiosity's first pass, which is not a part of the frame
-        return area_lights->See_All();
-    // With -J, too: if every pixel saw the same parts, that would be another, smaller light.
-    const std::uint64_t key = integral::random_bits(
-        integral::random_bits(view->seed, std::uint64_t(x)), std::uint64_t(y));
-    if (mode == audit)
-        area_lights->Begin(integral::random_bits(key, ~audit_set), audit_index);
-    else
-        area_lights->Begin(key, mode == refinement ? sample_index : 0);
+    return integral::random_bits(integral::random_bits(view.seed, std::uint64_t(x)),
+                                 std::uint64_t(y));
 }
 
-/// Sets `rays` to the rays of a pixel through its lens. Returns false if the pixel images nothing.
-bool IntegralTracer::Choose_Rays(DBL x, DBL y, bool counted)
+void IntegralTracer::Begin_Sample(DBL x, DBL y, std::uint32_t index)
 {
-    const integral::PixelSampler& sampler = *view->sampler;
-    const integral::Vec2 centre{x + 0.5, y + 0.5};
-    rays.clear();
-    if (mode == audit)
-        return imaged = sampler.append_random_ray(centre, audit_set, audit_index, rays);
-
-    integral::PixelOutcome outcome;
-    if (mode == refinement)
-        Append_Sample();
-    else
-        outcome = sampler.append_rays(centre, rays);
-    lens = outcome.lens;
-    if (counted)
-        Count(outcome, rays.size());
-    return imaged = !rays.empty();
+    if (area_lights)
+        area_lights->Begin(Pixel_Key(*view, x, y), index);
 }
 
-/// Appends the rays of a sample of the pixel that is being refined.
-void IntegralTracer::Append_Sample()
+void IntegralTracer::Begin_Reference(DBL x, DBL y, std::uint64_t set, std::uint32_t index)
 {
-    if (beam.number != 1)
-        return view->sampler->append_sample(beam, sample_index, rays);
-    if (sample_index < refined_begin || sample_index >= refined_end)
+    if (area_lights)
+        area_lights->Begin(integral::random_bits(Pixel_Key(*view, x, y), ~set), index);
+}
+
+IntegralHit IntegralTracer::Trace(const integral::SightLine& line, bool pretrace)
+{
+    Ray ray;
+    ray.SetFlags(Ray::PrimaryRay, false, false, false, false, pretrace);
+    Make_Vector(ray.Origin, line.origin.x, line.origin.y, line.origin.z);
+    Make_Vector(ray.Direction, line.direction.x, line.direction.y, line.direction.z);
+    if (!containers.None() && !containers.Use_Generic_Search())
+        containers.Add_Interiors(ray, thread);
+    IntegralHit hit;
+    const DBL distance = pixels->Trace_Integral_Ray(ray, line.length, hit.light);
+    if (finds_depth && distance < HUGE_VAL)
     {
-        const int number = std::min(samples_wanted, integral::run_length);
-        view->sampler->samples(beam.channels[0], sample_index, number, refined_run);
-        refined_begin = sample_index;
-        refined_end = sample_index + number;
+        hit.point = From_POV(ray.Origin) + distance * From_POV(ray.Direction);
+        hit.depth = seen_from_scene(*view->optics, hit.point).z;
+        hit.normal = From_POV(normal);
     }
-    if (const auto& sample = refined_run[sample_index - refined_begin])
-        rays.push_back({*sample, 1, beam.channels[0].channel});
+    Clip(view->clipping, hit.light);
+    return hit;
 }
 
-/// The index of the pixel in `run`, or -1. If pixels are traced one after the other along a row,
-/// the next run is computed when the last one ends.
-int IntegralTracer::Place_In_Run(DBL x, DBL y)
+IntegralHit IntegralTracer::Trace(const integral::BeamRay& ray, bool pretrace)
+{
+    return Trace(integral::sight_line(*view->optics, ray), pretrace);
+}
+
+IntegralPixel IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace)
+{
+    if (area_lights) // radiosity's first pass, which is not a part of the frame
+        area_lights->See_All();
+    return view->quilt                      ? Trace_Quilt_Pixel(x, y, pretrace)
+           : view->sampler->gives_one_ray() ? Trace_One_Ray(x, y, pretrace)
+                                            : Trace_Samples(x, y, pretrace);
+}
+
+/// The pixel that one ray gives; without a hit, a pixel that images nothing.
+static IntegralPixel Pixel_Of(const std::optional<IntegralHit>& hit, const integral::LensIndex& lens)
+{
+    return hit ? IntegralPixel{hit->light, lens, hit->depth} : IntegralPixel::Without_Light();
+}
+
+int IntegralTracer::Row_Walk::Place(const integral::IntegralCamera& camera, DBL x, DBL y)
 {
     const bool next = y == last_y && x == last_x + 1;
     last_x = x;
@@ -127,139 +141,102 @@ int IntegralTracer::Place_In_Run(DBL x, DBL y)
         return -1;
     run_x = x;
     run_y = y;
-    integral::map_pixel_run(*view->optics, {x + 0.5, y + 0.5}, run);
+    integral::map_pixel_run(camera, {x + 0.5, y + 0.5}, run);
     return 0;
 }
 
-/// The same for cameras with one ray per pixel; also sets `ray` and `length`.
-bool IntegralTracer::Choose_One_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray,
-                                    DBL& length)
+IntegralPixel IntegralTracer::Trace_One_Ray(DBL x, DBL y, bool pretrace)
 {
     integral::PixelOutcome outcome;
-    const int place = Place_In_Run(x, y);
+    std::optional<IntegralHit> hit;
+    const int place = walk.Place(*view->optics, x, y);
     if (place >= 0)
     {
-        outcome = integral::outcome_of(run.mapped[place]);
-        if (run.mapped[place].ray)
-            Make_Ray(ray, run.lines[place], pretrace, length);
+        const integral::MappedPoint& mapped = walk.Run().mapped[place];
+        outcome = integral::outcome_of(mapped);
+        if (mapped.ray)
+            hit = Trace(walk.Run().lines[place], pretrace);
     }
-    else if (const auto seen = view->sampler->one_ray({x + 0.5, y + 0.5}, outcome))
-        Make_Ray(ray, *seen, pretrace, length);
-    imaged = outcome.imaged > 0;
-    lens = outcome.lens;
-    if (counted)
-        Count(outcome, imaged);
-    return imaged;
+    else if (const auto ray = view->sampler->one_ray({x + 0.5, y + 0.5}, outcome))
+        hit = Trace(*ray, pretrace);
+    if (!pretrace)
+        Count(outcome, outcome.imaged);
+    return Pixel_Of(hit, outcome.lens);
 }
 
-/// The same for the first sample of the pixel's beam.
-bool IntegralTracer::Choose_First_Sample(DBL x, DBL y, bool counted, bool pretrace, Ray& ray,
-                                         DBL& length)
-{
-    const integral::Vec2 at{x + 0.5, y + 0.5};
-    const int place = Place_In_Run(x, y);
-    const integral::MappedPoint mapped = place >= 0
-                                             ? run.mapped[place]
-                                             : view->optics->optics.map(integral::film_from_pixel(
-                                                                            view->optics->film, at),
-                                                                        view->optics->mapping);
-    const integral::PixelOutcome outcome = integral::outcome_of(mapped);
-    imaged = outcome.imaged > 0;
-    lens = outcome.lens;
-    if (counted)
-        Count(outcome, imaged);
-    if (!imaged)
-        return false;
-    centre = integral::pole_beam(*mapped.ray);
-    if (place < 0)
-        sampled = view->sampler->first_sample(at, *mapped.ray, alike_samples);
-    else
-    {
-        if (run_x != first_x || run_y != first_y)
-        {
-            view->sampler->first_samples({run_x + 0.5, run_y + 0.5}, run.mapped, alike_samples,
-                                         run_samples);
-            first_x = run_x;
-            first_y = run_y;
-        }
-        sampled = run_samples[place];
-    }
-    Make_Ray(ray, sampled, pretrace, length);
-    return true;
-}
-
-/// The same for a quilt.
-bool IntegralTracer::Choose_Quilt_Ray(DBL x, DBL y, bool counted, bool pretrace, Ray& ray,
-                                      DBL& length)
+IntegralPixel IntegralTracer::Trace_Quilt_Pixel(DBL x, DBL y, bool pretrace)
 {
     integral::PixelOutcome outcome;
+    std::optional<IntegralHit> hit;
     outcome.film_points = 1;
-    if (const auto seen = view->quilt->ray({x + 0.5, y + 0.5}))
+    if (const auto ray = view->quilt->ray({x + 0.5, y + 0.5}))
     {
         outcome.imaged = 1;
-        Make_Ray(ray, *seen, pretrace, length);
+        hit = Trace(*ray, pretrace);
     }
     else
-        outcome.outside_aperture = 1; // left over beside the views
-    imaged = outcome.imaged > 0;
-    if (counted)
-        Count(outcome, imaged);
-    return imaged;
+        outcome.outside_aperture = 1; // unused: a quilt's pixels outside its views
+    if (!pretrace)
+        Count(outcome, outcome.imaged);
+    return Pixel_Of(hit, outcome.lens);
 }
 
-void IntegralTracer::Refine(int x, int y, bool alike, const integral::FirstSamples& samples,
-                            const Colour *first)
+/// Traces a pixel by several rays, or by rays for single colour channels.
+IntegralPixel IntegralTracer::Trace_Samples(DBL x, DBL y, bool pretrace)
 {
-    mode = refinement;
-    std::optional<integral::LensIndex> around;
-    if (view->optics->film.subpixels == integral::Subpixels::none)
-        around = samples.lens_around(x, y);
-    beam = view->sampler->beam({x + 0.5, y + 0.5}, alike, samples.depth(x, y), around);
-    refined_begin = refined_end = 0;
-    refined = Light();
-    if (first)
-        refined.Add(integral::PixelRay(), *first);
+    rays.clear();
+    const integral::PixelOutcome outcome = view->sampler->append_rays({x + 0.5, y + 0.5}, rays);
+    if (!pretrace)
+        Count(outcome, rays.size());
+    if (rays.empty())
+        return Pixel_Of({}, outcome.lens);
+    if (rays.size() == 1 && rays[0].channel == integral::PixelRay::all_channels)
+        return Pixel_Of(Trace(rays[0].ray, pretrace), outcome.lens);
+    IntegralLight light;
+    double depth = HUGE_VAL;
+    for (const integral::PixelRay& ray : rays)
+    {
+        const IntegralHit hit = Trace(ray.ray, pretrace);
+        light.Add(ray, hit.light);
+        depth = hit.depth;
+    }
+    if (!pretrace && view->error.by_halves)
+        Count_Error(y, light);
+    return {light.Mean(2), outcome.lens, depth};
 }
 
-/// Makes the ray that sees along a line what the viewer would see.
-void IntegralTracer::Make_Ray(Ray& ray, const integral::SightLine& line, bool pretrace,
-                              DBL& length) const
+void IntegralTracer::Count_Error(DBL y, const IntegralLight& light)
 {
-    ray.SetFlags(Ray::PrimaryRay, false, false, false, false, pretrace);
-    Make_Vector(ray.Origin, line.origin.x, line.origin.y, line.origin.z);
-    Make_Vector(ray.Direction, line.direction.x, line.direction.y, line.direction.z);
-    if (!containers.None() && !containers.Left_To_POV())
-        containers.Tell(ray, thread);
-    length = line.length;
+    if (!view->rows.Have(int(y)) || light.Rays(0) == 0 || light.Rays(1) == 0)
+        return;
+    const Colour first = light.Mean(0), second = light.Mean(1);
+    counters->errors.add(integral::halves_error(
+        view->error.output, {first.red(), first.green(), first.blue()},
+        {second.red(), second.green(), second.blue()}, light.Rays(0), light.Rays(1)));
 }
 
-void IntegralTracer::Make_Ray(Ray& ray, const integral::BeamRay& beam, bool pretrace,
-                              DBL& length) const
+integral::BeamSamples::Seen IntegralTracer::Seen(const integral::BeamRay& ray,
+                                                 const IntegralHit& hit) const
 {
-    Make_Ray(ray, integral::sight_line(*view->optics, beam), pretrace, length);
+    const integral::LightFieldRay line =
+        integral::light_field_ray(view->optics->optics.lattice(), ray);
+    return {line, hit.depth, Linear(hit.light), Tilt(line, hit)};
 }
 
-integral::BeamSamples::Seen IntegralTracer::Seen(const Colour& colour) const
+/// The tilt of the surface that a ray met along `line` (BeamSamples::Seen::tilt).
+std::array<float, 2> IntegralTracer::Tilt(const integral::LightFieldRay& line,
+                                          const IntegralHit& hit) const
 {
-    const integral::SightSlope line = integral::sight_slope(view->optics->optics.lattice(),
-                                                            sampled);
-    return {line, last_depth, Linear(colour), Tilt(line)};
-}
-
-/// How the surface lies that the last ray met along `line` (BeamSamples::Seen::tilt).
-std::array<float, 2> IntegralTracer::Tilt(const integral::SightSlope& line) const
-{
-    if (!(last_depth < HUGE_VAL))
+    if (!(hit.depth < HUGE_VAL))
         return {};
-    // A plane's normal is a covector: its components along the sheet's axes are products with them.
+    // A plane's normal is a covector: its components along the sheet's axes are dot products.
     const integral::Placement& placement = view->optics->placement;
     const integral::Lattice& lattice = view->optics->optics.lattice();
-    const integral::Vec3 of_scene{normal[X], normal[Y], normal[Z]};
-    integral::Vec3 facing{dot(of_scene, placement.x), dot(of_scene, placement.y),
-                          dot(of_scene, placement.z)};
+    integral::Vec3 facing{dot(hit.normal, placement.x), dot(hit.normal, placement.y),
+                          dot(hit.normal, placement.z)};
     if (view->optics->parallax)
-        facing = image_of_normal(view->optics->relief,
-                                 sheet_from_scene(placement, last_point), facing);
+        facing = image_of_normal(view->optics->relief, sheet_from_scene(placement, hit.point),
+                                 facing);
     const integral::Vec2 lateral{facing.x, facing.y};
     const double across = dot(lateral, lattice.across()), along = dot(lateral, lattice.along()),
                  area = across * line.slope[0] + along * line.slope[1] + facing.z;
@@ -267,16 +244,7 @@ std::array<float, 2> IntegralTracer::Tilt(const integral::SightSlope& line) cons
                                 : std::array<float, 2>{};
 }
 
-void IntegralTracer::Keep_Depth(const Ray& ray, DBL distance)
-{
-    last_depth = HUGE_VAL;
-    if (!(distance < HUGE_VAL))
-        return;
-    last_point = From_POV(ray.Origin) + distance * From_POV(ray.Direction);
-    last_depth = seen_from_scene(*view->optics, last_point).z;
-}
-
-void IntegralTracer::Light::Add(const integral::PixelRay& ray, const Colour& seen)
+void IntegralLight::Add(const integral::PixelRay& ray, const Colour& seen)
 {
     const int channel = ray.channel == integral::PixelRay::all_channels ? int(all) : ray.channel;
     rays[ray.half]++;
@@ -284,7 +252,7 @@ void IntegralTracer::Light::Add(const integral::PixelRay& ray, const Colour& see
     weights[ray.half][channel] += ray.weight;
 }
 
-Colour IntegralTracer::Light::Mean(int half) const
+Colour IntegralLight::Mean(int half) const
 {
     Colour mean;
     mean.clear();
@@ -305,16 +273,6 @@ Colour IntegralTracer::Light::Mean(int half) const
         mean.transm() += weight > 0 ? sum.transm() / (3 * weight) : 1.0 / 3;
     }
     return mean;
-}
-
-void IntegralTracer::Count_Error(DBL y, const Light& light)
-{
-    if (!view->rows.Have(int(y)) || light.rays[0] == 0 || light.rays[1] == 0)
-        return;
-    const Colour first = light.Mean(0), second = light.Mean(1);
-    tally->errors.add(integral::halves_error(
-        view->error.output, {first.red(), first.green(), first.blue()},
-        {second.red(), second.green(), second.blue()}, light.rays[0], light.rays[1]));
 }
 
 }

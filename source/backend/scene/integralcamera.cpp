@@ -26,8 +26,8 @@
 namespace pov
 {
 
-/// The perspective camera that the integral one starts from: of an orthographic camera, the one
-/// with the same window in the sheet's plane.
+/// The perspective camera that the integral one starts from. An orthographic camera is replaced by
+/// a perspective one with the same window in the sheet's plane.
 static integral::ViewFrame View_Of(const Camera& camera)
 {
     const IntegralStatement& statement = *camera.Integral;
@@ -106,19 +106,18 @@ void Choose_Integral_Bounding(SceneData& scene)
         scene.boundingMethod = 2;
 }
 
-/// Puts the camera where the scene's eye is, for radiosity and whatever else asks for its place.
+/// Puts the camera where the scene's eye is, for radiosity and other code that uses its location.
 static void Move_To_Eye(Camera& camera, const integral::IntegralCamera& optics)
 {
     const integral::Vec3 eye = *scene_from_seen(optics, {0, 0, -viewer_distance(optics)});
     Make_Vector(camera.Location, eye.x, eye.y, eye.z);
 }
 
-/// The error of a colour's component, relative to +A's threshold, that is not worth the time to
-/// reduce it.
+/// Error of a colour component, relative to +A's threshold, below which reducing it does not pay.
 static constexpr double least_error_of_threshold = 0.01;
 
-/// A quilt's rays are those of perspective cameras: what shares, samples and estimates the light of
-/// lenses does not go with them.
+/// Starts a quilt. Its rays are perspective cameras' rays, for which the sharing, sampling and
+/// error estimates of lenses do not work.
 static void Start_Quilt(IntegralView& view, integral::ViewGrid tiles, int width, int height)
 {
     view.quilt = std::make_shared<integral::QuiltSampler>(*view.optics, tiles, width, height);
@@ -139,7 +138,7 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
     camera.Integral_View.reset();
     if (!camera.Integral || !camera.Integral->integral)
     {
-        pov_base::IntegralFrame::Forget();
+        pov_base::IntegralFrame::Clear();
         return;
     }
     const auto view = std::make_shared<IntegralView>();
@@ -167,27 +166,27 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
                                view->sampler->halves_tell_error();
         view->error = {by_halves, scene.radiositySettings.radiosityEnabled, given.audit_share,
                        given.output, given.error_picture, given.continued};
-        // What is shared and reconstructed takes the aperture for the eyes' place.
+        // Sharing and reconstruction assume that the eyes are in the aperture.
         if (given.antialias && given.light_field && !projects)
             view->sampling = std::make_shared<IntegralSampling>(
                 *view->optics, given.rows, given.block_side, given.most_memory, given.reconstruct,
                 least_error_of_threshold * given.threshold);
-        // Reconstruction gains more than sharing, and has less of an error of its own.
-        view->caches_dear_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
+        // Reconstruction gains more than sharing, and its own error is smaller.
+        view->cache_expensive_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
         const bool reconstructs = view->sampling && view->sampling->Reconstruction();
         if (!projects && (given.sharing == pov_base::IntegralSharing::on ||
-                          (view->caches_dear_shading_only && given.antialias && !reconstructs)))
+                          (view->cache_expensive_shading_only && given.antialias && !reconstructs)))
             view->shading_cache = std::make_shared<IntegralShadingCache>(
                 *view->optics, Patches_In_Beam(*view->optics, given));
         if (reconstructs && scene.radiositySettings.radiosityEnabled &&
-            view->caches_dear_shading_only)
+            view->cache_expensive_shading_only)
             view->ambient_cells = std::make_shared<IntegralShadingCache>(
                 *view->optics, IntegralSharedAmbient::cells_in_beam,
                 IntegralSharedAmbient::cells_a_pixel);
         if (!given.depth_picture.empty())
             view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture,
                                                           camera.Integral->distances);
-        // The noise of radiosity's points is in both halves.
+        // Both halves contain the same noise of radiosity's points.
         if (given.audit && (!by_halves || view->error.radiosity))
             view->audit = std::make_shared<IntegralAudit>(*view, given.seed);
     }
@@ -204,7 +203,7 @@ static std::optional<integral::ErrorEstimate> Error_Of(const IntegralView& view)
     if (!view.error.by_halves)
         return view.audit ? view.audit->Result() : std::nullopt;
     integral::ErrorSums sums;
-    for (const IntegralTally& tally : view.counts->tallies)
+    for (const ThreadCounters& tally : view.counts->tallies)
         sums.add(tally.errors);
     auto error = integral::estimate(sums, integral::ErrorMethod::split_halves);
     if (error)
@@ -239,22 +238,22 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     const IntegralView& view = *camera.Integral_View;
     IntegralCounts& counts = *view.counts;
     std::lock_guard<std::mutex> lock(counts.mutex);
-    const auto set_total = [&](POVMSType key, OwnCount IntegralTally::*count)
+    const auto set_total = [&](POVMSType key, SingleWriterCounter ThreadCounters::*count)
     {
         long long sum = 0;
-        for (const IntegralTally& tally : counts.tallies)
+        for (const ThreadCounters& tally : counts.tallies)
             sum += (tally.*count).Get();
         statistics.SetLong(key, sum);
     };
-    set_total(kIntegralAttrib_FilmPoints, &IntegralTally::film_points);
-    set_total(kIntegralAttrib_Imaged, &IntegralTally::imaged);
-    set_total(kIntegralAttrib_Searched, &IntegralTally::searched);
-    set_total(kIntegralAttrib_OutsideAperture, &IntegralTally::outside_aperture);
-    set_total(kIntegralAttrib_TotalReflection, &IntegralTally::total_reflection);
-    set_total(kIntegralAttrib_Rays, &IntegralTally::rays);
-    set_total(kIntegralAttrib_ContainerSearches, &IntegralTally::container_searches);
-    set_total(kIntegralAttrib_SharedShadings, &IntegralTally::shared_shadings);
-    set_total(kIntegralAttrib_PatchShadings, &IntegralTally::patch_shadings);
+    set_total(kIntegralAttrib_FilmPoints, &ThreadCounters::film_points);
+    set_total(kIntegralAttrib_Imaged, &ThreadCounters::imaged);
+    set_total(kIntegralAttrib_Searched, &ThreadCounters::searched);
+    set_total(kIntegralAttrib_OutsideAperture, &ThreadCounters::outside_aperture);
+    set_total(kIntegralAttrib_TotalReflection, &ThreadCounters::total_reflection);
+    set_total(kIntegralAttrib_Rays, &ThreadCounters::rays);
+    set_total(kIntegralAttrib_ContainerSearches, &ThreadCounters::container_searches);
+    set_total(kIntegralAttrib_SharedShadings, &ThreadCounters::shared_shadings);
+    set_total(kIntegralAttrib_PatchShadings, &ThreadCounters::patch_shadings);
     statistics.SetInt(kIntegralAttrib_Containers, counts.containers);
     statistics.SetInt(kIntegralAttrib_Objects, counts.objects);
 

@@ -16,10 +16,10 @@
 #include "backend/frame.h"
 #include "base/integralclipping.h"
 #include "base/integraloptions.h"
-#include "integral/lightfield/error_estimate.h"
-#include "integral/lightfield/pixel_sampler.h"
-#include "integral/lightfield/quilt_sampler.h"
+#include "integral/frame/error_estimate.h"
 #include "integral/optics/camera.h"
+#include "integral/sampling/pixel_sampler.h"
+#include "integral/sampling/quilt_sampler.h"
 
 class POVMS_Object;
 
@@ -38,7 +38,7 @@ class ViewData;
 inline integral::Vec3 From_POV(const VECTOR v) { return {v[X], v[Y], v[Z]}; }
 
 /// A count that one thread increases and others may read, without locked instructions.
-class OwnCount
+class SingleWriterCounter
 {
 public:
     void Add(long long amount) { count.store(Get() + amount, std::memory_order_relaxed); }
@@ -50,15 +50,15 @@ private:
 
 /// The counts of one render thread, which is the only one to write them. Rays of radiosity's
 /// pretrace and of the audit are not counted.
-struct IntegralTally
+struct ThreadCounters
 {
-    OwnCount film_points, imaged, searched, outside_aperture, total_reflection;
-    OwnCount rays;               ///< rays traced
-    OwnCount container_searches; ///< rays for which objects around their start were searched
-    OwnCount shared_shadings, patch_shadings; ///< ray hits that used a shared colour, or shared
-                                              ///< ambient light; and those of them for which it
-                                              ///< had to be computed
-    integral::ErrorSums errors; ///< errors of pixels by their two halves of samples; read only
+    SingleWriterCounter film_points, imaged, searched, outside_aperture, total_reflection;
+    SingleWriterCounter rays;               ///< rays traced
+    SingleWriterCounter container_searches; ///< rays for which objects around their start were searched
+    SingleWriterCounter shared_shadings, patch_shadings; ///< ray hits that used a shared colour, or shared
+                                              ///< ambient light; how many of them had to compute
+                                              ///< it
+    integral::ErrorSums errors; ///< errors of pixels from their two halves of samples; read only
                                 ///< after the thread has ended
 };
 
@@ -72,15 +72,15 @@ struct IntegralColours
     /// Adds pixels. Transparent black ones, behind no lens, have no colour.
     void Add(const std::vector<Colour>& colours);
 
-    /// Whether no pixel of so many differs from others by a step of 8 bits.
+    /// Whether `all` pixels are finished and their colours differ by less than a step of 8 bits.
     bool Are_One(double all, const integral::OutputCurve& output) const;
 };
 
-/// The tallies of a render's threads.
+/// The counters of a render's threads.
 struct IntegralCounts
 {
     std::mutex mutex;
-    std::list<IntegralTally> tallies; ///< a list, since each thread keeps a reference to its own
+    std::list<ThreadCounters> tallies; ///< a list, since each thread keeps a reference to its own
     int containers = 0;               ///< number of objects inside which rays may start
     int objects = 0;                  ///< number of objects in the scene
     IntegralColours colours;
@@ -95,28 +95,28 @@ struct IntegralErrorOptions
                       ///< (integralaudit.cpp); 0.05 with an error picture
     integral::OutputCurve output;
     std::string picture;    ///< file of the error picture; empty: none
-    bool continued = false; ///< of pixels that are kept from before (+C) nothing is known
+    bool continued = false; ///< some pixels come from an earlier run (+C); their errors are unknown
 };
 
 /// The settings of a camera statement or of Integral_Camera=. They do not change after parsing, and
 /// copies of a camera share them.
 struct IntegralStatement
 {
-    bool integral = false; ///< false: not integral; holds values in case Integral_Camera= makes it
-                           ///< so
+    bool integral = false; ///< false: another camera, whose values apply if Integral_Camera= makes it
+                           ///< integral
     integral::CameraParameters parameters;
-    /// The sheet's pitch as it is even from viewing_distance, mm; nothing: parameters.sheet has the
-    /// lenses' own.
+    /// The sheet's pitch as seen from viewing_distance, mm; nothing: parameters.sheet has the
+    /// lenses' own pitch.
     std::optional<double> visual_pitch;
     std::set<std::string> given;     ///< the words that have been given, to detect repetition
     double look_at_distance = 0;     ///< |look_at - location|, scene units; 0: no look_at
     double sheet_distance_ratio = 0; ///< sheet distance / |direction|; 0: not known yet
     double direction = 0;            ///< |direction| before the camera's transforms
-    std::vector<double> distances;   ///< Probe_Integral_Depths, after parsing
+    std::vector<double> distances;   ///< result of Probe_Integral_Depths, after parsing
     std::string fit_words;           ///< the words that the fit chose; empty: no fit
     bool orthographic = false; ///< right and up are the window at any distance, not at |direction|
     int draft = 1;             ///< Integral_Draft=
-    std::optional<integral::Vec2> draft_pitch; ///< a draft's pixel pitch, mm, for the film's
+    std::optional<integral::Vec2> draft_pitch; ///< a draft's pixel pitch in place of the film's, mm
     std::shared_ptr<const integral::IntegralCamera> optics; ///< with the camera's final transform;
                                                             ///< null until the frame size is known
     struct Position
@@ -134,15 +134,16 @@ struct IntegralView
     std::shared_ptr<const integral::QuiltSampler> quilt; ///< null: the picture is a frame
     std::shared_ptr<IntegralCounts> counts;
     std::shared_ptr<IntegralShadingCache> shading_cache; ///< null: rays do not share shading
-    std::shared_ptr<IntegralShadingCache> ambient_cells; ///< null: nor radiosity's ambient light
-    bool caches_dear_shading_only = false;      ///< use the cache only where shading is expensive
+    std::shared_ptr<IntegralShadingCache> ambient_cells; ///< null: rays do not share radiosity's ambient
+                                                         ///< light
+    bool cache_expensive_shading_only = false;      ///< use the cache only where shading is expensive
     std::shared_ptr<IntegralSampling> sampling; ///< null: no anti-aliasing
     std::shared_ptr<IntegralAudit> audit;       ///< null: no audit
     std::shared_ptr<IntegralDepth> depth;       ///< null: no depth frame
     IntegralErrorOptions error;
     pov_base::IntegralClipping clipping; ///< of the light of each ray
     std::uint64_t seed = 0;     ///< Integral_Seed=
-    pov_base::IntegralRows rows; ///< the rows that count
+    pov_base::IntegralRows rows; ///< the rows that count (Integral_Rows=)
 };
 
 /// The optics for a frame of width x height pixels, from the statement and the vectors of `camera`.
@@ -150,7 +151,7 @@ struct IntegralView
 std::shared_ptr<const integral::IntegralCamera> Make_Integral_Optics(const Camera& camera,
                                                                      int width, int height);
 
-/// How far from the sheet the scene's own eye is, mm. Call it for a camera that has its optics.
+/// Distance of the scene's own eye from the sheet, mm. Call it for a camera that has its optics.
 double Integral_Scene_Distance(const Camera& camera);
 
 /// Chooses how the scene's objects are bounded if the options leave that open. Call it after the

@@ -30,7 +30,7 @@ namespace pov_base
 namespace
 {
 
-/// The encoding of a file's samples. If `curve` is null, the format's default.
+/// The encoding of a file's samples; `by_default` if `curve` is null.
 integral::Encoding Encoding_Of(const SimpleGammaCurvePtr& curve,
                                integral::Encoding::Kind by_default)
 {
@@ -56,7 +56,7 @@ bool Is_Repeatable() { return IntegralFrame::Repeatable(); }
 void Set_Integral_PNG(png_struct_def *png, png_info_def *info, const Image::WriteOptions& options)
 {
 #ifndef LIBPNG_MISSING
-    if (!IntegralFrame::Current())
+    if (!IntegralFrame::Is_Active())
         return;
     if (const auto pitch = IntegralFrame::Pixel_Pitch())
         png_set_pHYs(png, info, png_uint_32(std::lround(1000 / pitch->x)),
@@ -79,7 +79,7 @@ void Set_Integral_PNG(png_struct_def *png, png_info_def *info, const Image::Writ
 #ifndef OPENEXR_MISSING
 void Set_Integral_EXR(Imf::Header& header)
 {
-    if (!IntegralFrame::Current())
+    if (!IntegralFrame::Is_Active())
         return;
     integral::Encoding linear;
     linear.kind = integral::Encoding::Kind::linear;
@@ -95,7 +95,7 @@ void Set_Integral_EXR(Imf::Header& header)
 void Write_Integral_Companion(const UCS2String& file, int file_type,
                               const Image::WriteOptions& options)
 {
-    if (!IntegralFrame::Current() || file_type == Image::PNG || file_type == Image::EXR)
+    if (!IntegralFrame::Is_Active() || file_type == Image::PNG || file_type == Image::EXR)
         return;
     const std::string picture = UCS2toASCIIString(file);
     if (picture == "-" || picture == "stdout" || picture == "stderr")

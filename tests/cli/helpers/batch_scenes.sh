@@ -5,9 +5,8 @@
 #   batch_scenes            writes scenes/one.pov, two.pov, their colours.inc and picture.ppm
 #   starts OUTPUT           how often steps were begun, in all
 #   state OUTPUT STEP       a step's state by its record
-#   frame_words FRAME       what a PNG frame says of itself, but for the seconds that it took,
-#                           and for its error's figures, since a frame that was continued is
-#                           audited in other pixels
+#   frame_words FRAME       a PNG frame's metadata, except the seconds that it took and its error's
+#                           figures, since a continued frame is audited in other pixels
 
 batch_scenes() {
     mkdir -p scenes

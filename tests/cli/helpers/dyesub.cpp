@@ -2,11 +2,10 @@
 // Reads what Gutenprint's driver of DNP printers sends to the printer, for print_cups.test; shares
 // nothing with libintegral.
 //
-//   dyesub FILE PAGE WIDTH HEIGHT   "N samples differ": the three planes (yellow, magenta, cyan,
-//   each a BMP of 8 bits, 255: no
-//                                   dye; its rows are the page's columns from the left) against a
-//                                   page of samples R, G, B in the middle of the sheet, without
-//                                   round it
+//   dyesub FILE PAGE WIDTH HEIGHT
+//                "N samples differ": the three planes (yellow, magenta, cyan, each a BMP of 8 bits,
+//                255: no dye; its rows are the page's columns from the left) against a page of
+//                samples R, G, B in the middle of the sheet, without dye round it
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Reads a CUPS raster with libcups' reader, for print_cups.test; shares nothing with libintegral.
 //
-//   raster FILE                     one line a page: pixels, dots an inch, medium and its printable
-//   mm by the header's points raster FILE PAGES WIDTH HEIGHT [turned]   and compares it with the
-//   next page of samples R, G, B (those again at their end):
-//                                   in the middle, white round it; "N differ", of the raster's
-//                                   pixels. turned: by a quarter clockwise
+//   raster FILE  prints one line a page: pixels, dots an inch, medium and its printable mm by the
+//                header's points
+//   raster FILE PAGES WIDTH HEIGHT [turned]
+//                and compares each with the next page of samples R, G, B (the same pages again at
+//                their end): in the middle, white round it; "N differ", of the raster's pixels.
+//                turned: by a quarter clockwise
 #include <cups/raster.h>
 
 #include <cstdio>

@@ -2,17 +2,21 @@
 // A flatbed scanner, simulated, for integral_rectify.test; shares nothing with libintegral.
 //
 //   scan PAGE.png SCAN.png WORD=VALUE...   PAGE is 8 or 16 bits, sRGB; SCAN is 8 bits
-//     page=D  size=W,H  dpi=D          dots an inch of the page (300), pixels of the scan, dots an
-//     inch that it claims (600) scale=F or F,F                   its true dots an inch over those,
-//     across and down (1) turn=DEGREES                     anticlockwise, of the page in the scan
-//     (0) at=X,Y                           page pixel, from the top left, in the middle of the scan
-//     (the page's middle) light=A,B                        light falls by A from left to right and
-//     by B from the middle to the corners (0,0) cast=R,G,B  noise=S  seed=N      the channels'
-//     gains; Gaussian noise, of 255; its seed flat                             PAGE is white (its
-//     name is ignored)
-//     paper=V  blur=S  jpeg=Q              linear light of what surrounds the page (0.05); standard
-//     deviation of a Gaussian blur, scan pixels (0); quality of a JPEG that the scan has been
-//     (none)
+//     page=D  size=W,H  dpi=D    dots an inch of the page (300), pixels of the scan, dots an inch
+//                                that it claims (600)
+//     scale=F or F,F             its true dots an inch divided by the claimed ones, across and
+//                                down (1)
+//     turn=DEGREES               anticlockwise, of the page in the scan (0)
+//     at=X,Y                     page pixel, from the top left, in the middle of the scan (the
+//                                page's middle)
+//     light=A,B                  light falls by A from left to right and by B from the middle to
+//                                the corners (0,0)
+//     cast=R,G,B  noise=S  seed=N
+//                                the channels' gains; Gaussian noise, of 255; its seed
+//     flat                       PAGE is white (its name is ignored)
+//     paper=V  blur=S  jpeg=Q    linear light of the surroundings of the page (0.05); standard
+//                                deviation of a Gaussian blur, scan pixels (0); quality of a JPEG
+//                                through which the scan goes (none)
 // Prints where the page's middle is in the scan, pixels from its top left. The page's pixels are
 // boxes; a scan pixel is the mean of 6 x 6 points of it.
 #include <cstddef>

@@ -2,8 +2,9 @@
 # For test scripts (sourced, after tests/tap.sh): a Slurm of one node, this machine, whose services
 # listen on loopback alone, with key, settings, state and logs in $scratch/slurm.
 #
-#   start_slurm [NODE-OPTIONS]   starts munged, slurmctld and slurmd and waits until the node is idle; SLURM_CONF is set. Fails with
-#                                a reason in $slurm_reason where there are no such programs, or they do not start
+#   start_slurm [NODE-OPTIONS]   starts munged, slurmctld and slurmd and waits until the node is idle;
+#                                sets SLURM_CONF. Fails with a reason in $slurm_reason where these
+#                                programs are missing or do not start
 #   stop_slurm                   ends them, and what they run; is called at the script's end too
 
 slurm=$scratch/slurm
@@ -80,7 +81,7 @@ start_slurm() {
 	PartitionName=main Nodes=$host Default=YES MaxTime=INFINITE State=UP OverSubscribe=NO
 	end
     # From 23.11 on slurmd does not start without a cgroup file system, which containers may lack,
-    # unless it is told so; 22.05 does not know the word.
+    # unless its plugin is disabled; 22.05 lacks the setting.
     [ "$(printf '%s\n' 23.11 "$(slurmd -V | grep -o '[0-9][0-9.]*' | head -1)" | sort -V | head -1)" != 23.11 ] ||
         echo 'CgroupPlugin=disabled' > "$slurm/cgroup.conf"
     export SLURM_CONF=$slurm/slurm.conf
@@ -100,8 +101,8 @@ node_is_idle() { [ "$(sinfo -h -o %T)" = idle ]; }
 queue_is_empty() { [ -z "$(timeout 5 squeue -h)" ]; }
 has_ended() { ! kill -0 "$1" 2> /dev/null || [ "$(sed 's/.*) //; s/ .*//' "/proc/$1/stat" 2> /dev/null)" = Z ]; }
 
-# The tasks first: their ends are told to services that are still there. A service that does not end
-# is killed.
+# Ends the tasks first, so that services are still there to receive their ends. A service that does
+# not end is killed.
 stop_slurm() {
     local service
     [ ${#slurm_services[@]} = 0 ] || {

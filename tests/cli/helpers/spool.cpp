@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Prints a page of noise through integral/output/spool.h, for print_cups.test.
+// Prints a page of noise through integral/print/spool.h, for print_cups.test.
 //
 //   spool [--printer NAME] [--title TITLE] [--size WxH] [--dpi X,Y] [--levels N] [--border N]
-//   [--pages N] [--copies N] [--medium NAME] [--option NAME=VALUE]
+//         [--pages N] [--copies N] [--medium NAME] [--option NAME=VALUE]
 //         [--patience SECONDS] [--stop-at STEPS] [--keep FILE]
 //
 // Every sample is one of N levels (of 256: any value), `border` pixels round the page white.
@@ -10,7 +10,7 @@
 // progress says stop at that many steps of 1000. Prints the job's number, or "interrupted", and how
 // progress went; with --printers the server's printers instead.
 #include "integral/base/file_bytes.h"
-#include "integral/output/spool.h"
+#include "integral/print/spool.h"
 
 #include <cstdio>
 #include <exception>

@@ -3,8 +3,8 @@
 //
 // depths count FILE    prints "WIDTHxHEIGHT, SEEN with a surface, OPEN without, EMPTY"
 // depths range FILE    prints the least and the greatest depth of a surface, mm
-// depths within FILE MM  prints how many pixels show a surface at most MM mm from the sheet, how
-// many
+// depths within FILE MM
+//                      prints how many pixels show a surface at most MM mm from the sheet, how many
 //                      show none, and how many are imaged
 // depths near FILE ORACLE MASK LOW HIGH TOLERANCE FRACTION
 //                      compares with the frame ORACLE, whose colours show depths in linear light:

@@ -14,7 +14,7 @@
 //                          odd; pixels must be linear (File_Gamma=1)
 // frames alike A B RMSE    root mean square difference over all pixels and channels <= RMSE/255
 // frames pixel A X Y       prints "r g b a" in 0...65535
-// frames pixels A          prints that of every pixel, row by row, a line each
+// frames pixels A          prints the same for every pixel, row by row, a line each
 // frames samples A         prints R, G and B of every pixel, row by row, a byte each
 // frames rerecord A MIRRORED B
 //                          writes B: each pixel is the pixel of A whose place the pixel's line of
@@ -52,7 +52,7 @@
 //                          (File_Gamma=1). CHANNEL (0, 1, 2): only this channel is compared
 // frames lit-around A B FRACTION
 //                          every pixel that is lit in B is lit in A, and of A's at most FRACTION
-//                          are farther than two pixels from those of B. Prints how many are
+//                          are farther than two pixels from any of B's. Prints how many are
 // Exit status: 0 yes, 1 no, 2 unreadable or wrong usage.
 #include "frames.h"
 

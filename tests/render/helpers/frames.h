@@ -24,7 +24,7 @@ struct Place {
     int i, j;
 };
 
-/// One of the frames of which our frame ought to be the mean.
+/// One of the frames whose mean our frame should be.
 struct Part {
     std::array<double, 4> weights{}; ///< red, green, blue, alpha
     Frame frame;
@@ -59,7 +59,7 @@ bool all_equal(const Frame& b, const std::function<Pixel(int, int)>& of);
 /// Whether at least `fraction` of the pixels differ by no more than `within`/255 in any channel.
 bool near(const Frame& a, const Frame& b, double within, double fraction);
 /// Whether B's lit pixels are lit in A, and at most `fraction` of A's are farther than two pixels
-/// from those of B.
+/// from any of B's.
 bool lit_around(const Frame& a, const Frame& b, double fraction);
 /// Whether the root mean square difference is at most `limit`/255.
 bool alike(const Frame& a, const Frame& b, double limit);
@@ -78,11 +78,11 @@ Frame shrink(const Frame& a, int n);
 
 // frames_oracle.cpp
 
-/// Reads the parts that the words from `from` on name, three words a part. Their frames have this
-/// height.
+/// Reads the parts that are named by the words from `from` on, three words a part. Their frames
+/// have this height.
 std::vector<Part> read_parts(const std::vector<std::string>& w, std::size_t from, int height);
-/// Whether our frame is the parts' mean except in a few pixels; writes the places of those to the
-/// file `far_name`.
+/// Whether our frame is the parts' mean except in a few pixels; writes the places of these pixels
+/// to the file `far_name`.
 bool oracle(const Frame& ours, const std::string& far_name, const std::vector<Part>& parts);
 /// Whether our frame is, at each place, within the range of colours in the neighbourhood, which the
 /// place's row of the parts' frames shows.

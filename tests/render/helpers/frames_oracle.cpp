@@ -127,8 +127,7 @@ bool edges(const Frame& ours, const std::vector<Place>& places, const std::vecto
 {
     int row = 0, bad = 0;
     double worst = 0;
-    const std::array<double, 4> radii{1e-5, 0.02, 0.2, 1}; // the first stands for the oracle's own
-                                                           // precision
+    const std::array<double, 4> radii{1e-5, 0.02, 0.2, 1}; // the first: the oracle's own precision
     for (const auto [i, j] : places) {
         const Pixel p = ours.at(i, j);
         std::vector<Part> low = parts,
@@ -179,7 +178,7 @@ bool unbiased(const std::array<Frame, 4>& frames, const std::string& mask_name, 
                     not_black += frames[0].at(i, j)[c] != 0 || frames[1].at(i, j)[c] != 0;
             if (mask[j][i] != '1')
                 continue;
-            // The channels go together: they share the pixel's rays.
+            // The channels count together, because they share the pixel's rays.
             double product = 0;
             for (int c = first; c <= last; c++)
                 product += double(frames[0].at(i, j)[c] - frames[2].at(i, j)[c]) *

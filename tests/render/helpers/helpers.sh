@@ -44,8 +44,8 @@ oracle_frame() {
 compare_with_oracle() { compare_with_parts "$1" "$2" "$3" "$4" 1 "" -- "${@:5}"; }
 
 # compare_with_parts NAME SCENE SIZE "KEY=VALUE..." WEIGHT "KEY=VALUE..." [WEIGHT "KEY=VALUE..."]...
-# -- OPTION...: the same, where what our frame ought to be is a mean of several of the oracle's
-# frames, which differ by their own keys (see frames oracle).
+# -- OPTION...: the same, where our frame should be a mean of several of the oracle's frames, which
+# differ by their own keys (see frames oracle).
 compare_with_parts() {
     local name=$1 scene=$2 size=$3 keys=$4 status=0 weights=() own=() parts=() k
     shift 4
@@ -89,7 +89,7 @@ later() {
     { status=0; "$@" > "$scratch/later$number" 2>&1 || status=$?; echo $status > "$scratch/later$number.status"; } &
 }
 
-# results: a line of TAP for each; what a check said last stands behind its name.
+# results: a line of TAP for each; the last output of a check follows its name.
 results() {
     local number said
     wait

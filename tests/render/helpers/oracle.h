@@ -123,19 +123,19 @@ std::optional<SheetRay> film_ray(const Description&, Real distance, Point2 film_
 /// with a slit, for the cell and the slit).
 using Numbers = std::array<Real, 4>;
 
-/// `count` rays of the pixel (i, j), chosen by what `next` gives, over all that the description
-/// samples: the pixel's area with pixel_samples > 1, the lens's cell and the slit with beam_samples
-/// > 1 or by default. Those of another lens, of no lens and those totally reflected are replaced by
-/// others. With the display prefilter, tents twice as wide, and no lens is another. None where the
-/// pixel's centre images nothing.
+/// `count` rays of the pixel (i, j), chosen by the numbers from `next`, over all that the
+/// description samples: the pixel's area with pixel_samples > 1, the lens's cell and the slit with
+/// beam_samples > 1 or by default. Rays of another lens, of no lens, and totally reflected ones are
+/// replaced by others. With the display prefilter the rays fill tents twice as wide, and may belong
+/// to any lens. None where the pixel's centre images nothing.
 std::vector<SheetRay> pixel_rays(const Description&, Real distance, int i, int j, int count,
                                  const std::function<Numbers()>& next);
 
 /// Continuous pixel coordinates -> mm on the film, of the description's colour channel.
 Point2 film_from_pixel(const Description&, Real px, Real py);
 
-/// Section 5: the aperture given or, by default, the one that fills a lens; its full width and
-/// height, mm.
+/// Section 5: full width and height, mm, of the given aperture or, by default, of the aperture that
+/// fills a lens.
 Point2 aperture_size(const Description&, Real distance);
 
 } // namespace oracle

@@ -23,8 +23,7 @@
 //                                 on the film, else "-1 -1"
 // oracle perspective KEY=VALUE... prints POV-Ray's perspective camera of the same description
 // oracle pinhole OUT KEY=VALUE... writes the perspective camera's rays as a mesh_camera, which
-// tests
-//                                 placement, transforms and the mesh itself
+//                                 tests placement, transforms and the mesh itself
 // All but camera print the frame's figures: the number of pixels imaged, and the least relative
 // margin by which a tie or the aperture's edge was decided.
 #include "oracle.h"
@@ -133,7 +132,7 @@ void print_figures(long imaged, long pixels, Real margin, const Placed& placed)
               << double(placed.distance) << " mm\n";
 }
 
-/// The ray of a pixel; for the hybrid model, the one of its rays that the description chooses.
+/// The ray of a pixel; for the hybrid model, the ray that the description chooses.
 std::optional<SheetRay> pixel_ray(const Description& d, const Placed& placed, int i, int j,
                                   Real& margin)
 {
@@ -161,7 +160,8 @@ void frame(const Description& d, const std::string& out, bool csv)
     const auto left_out = [&](int i, int j) {
         return !groups.empty() && groups[std::size_t(j) * d.width + i] != d.group;
     };
-    // A ray that is left out gets the start of the first that is not, so that all rays start alike.
+    // A ray that is left out gets the start of the first other ray, so that all rays start
+    // together.
     std::optional<SheetRay> first;
     for (int n = 0; !groups.empty() && !first && n < d.width * d.height; n++)
         if (!left_out(n % d.width, n / d.width))

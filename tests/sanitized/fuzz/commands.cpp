@@ -140,12 +140,12 @@ const Bytes& picture()
     return png;
 }
 
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 /// The words after `integral` of a command that needs no picture.
-Words words_without_picture(Choices& c, const std::string& sheet)
+Arguments words_without_picture(Choices& c, const std::string& sheet)
 {
-    Words words = {"sheet", "--sheet", sheet};
+    Arguments words = {"sheet", "--sheet", sheet};
     switch (c.of(8)) {
     case 0: return words;
     case 1: words.push_back("--json"); return words;
@@ -161,10 +161,10 @@ Words words_without_picture(Choices& c, const std::string& sheet)
     return {"print", "--chart", "--size", "40x30", "--sheet", sheet, "-o", sink("png")};
 }
 
-Words words_with_picture(Choices& c, const std::string& sheet)
+Arguments words_with_picture(Choices& c, const std::string& sheet)
 {
     const std::string frame = file_of(picture(), 1);
-    Words words;
+    Arguments words;
     switch (c.of(5)) {
     case 0:
         words = {"replay", frame, "--threads", "1", "--samples", "1", "--size", "3x2"};
@@ -232,7 +232,7 @@ void run_command(const Bytes& bytes)
     const bool has_picture = c.of(4) != 0;
     const std::string document = geometry(c, has_picture, !has_picture).dump(),
                       sheet = file_of(document);
-    Words words = has_picture ? words_with_picture(c, sheet) : words_without_picture(c, sheet);
+    Arguments words = has_picture ? words_with_picture(c, sheet) : words_without_picture(c, sheet);
     words.insert(words.begin(), "integral");
     std::vector<char*> pointers;
     for (std::string& word : words)

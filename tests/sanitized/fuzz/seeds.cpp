@@ -7,8 +7,8 @@
 #include "integral/base/json_fields.h"
 #include "integral/io/codecs.h"
 #include "integral/io/mpo_file.h"
-#include "integral/output/colour_profile.h"
-#include "integral/output/panel.h"
+#include "integral/panel/panel.h"
+#include "integral/print/colour_profile.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -257,7 +257,7 @@ std::vector<Bytes> tiff_seeds()
     return and_halves(seeds);
 }
 
-/// JPEGs, and the pairs of them that an MPO has.
+/// JPEGs, and pairs of them as in an MPO.
 std::vector<Bytes> jpeg_seeds()
 {
     std::vector<Bytes> seeds;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // The table of fuzz targets. Readers get their bytes from a file, through the functions that the
-// commands use. What they return is then used, in ways that take only microseconds.
+// commands use. Their results are then used, in ways that take only microseconds.
 #include "tests/sanitized/fuzz/target.h"
 
 #include "integral/batch/manifest.h"
 #include "integral/compare/compare.h"
 #include "integral/compare/tolerances.h"
-#include "integral/fabrication/response.h"
 #include "integral/io/image_file.h"
 #include "integral/io/pfm_file.h"
-#include "integral/lightfield/camera_words.h"
-#include "integral/lightfield/scene_depth_report.h"
-#include "integral/output/colour_profile.h"
-#include "integral/output/panel.h"
+#include "integral/laboratory/response.h"
+#include "integral/panel/panel.h"
+#include "integral/print/colour_profile.h"
 #include "integral/replay/replay.h"
+#include "integral/sheet/camera_words.h"
+#include "integral/sheet/scene_depth_report.h"
 #include "integral/wireframe/obj_file.h"
 
 #include <algorithm>

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# Sources of integral/panel: one line per file, headers too.
+
+build_lib_libintegral_a_SOURCES += \
+  integral/panel/cubevi.cpp \
+  integral/panel/cubevi.h \
+  integral/panel/interlace.cpp \
+  integral/panel/interlace.h \
+  integral/panel/interlace_avx2.cpp \
+  integral/panel/interlace_avx2.h \
+  integral/panel/interlace_rows.cpp \
+  integral/panel/interlace_rows.h \
+  integral/panel/known_panels.cpp \
+  integral/panel/looking_glass.cpp \
+  integral/panel/looking_glass.h \
+  integral/panel/panel.cpp \
+  integral/panel/panel.h \
+  integral/panel/panel_cards.cpp \
+  integral/panel/panel_cards.h \
+  integral/panel/panel_files.cpp \
+  integral/panel/panel_files.h \
+  integral/panel/panel_images.cpp \
+  integral/panel/panel_images.h \
+  integral/panel/panel_mapping.cpp \
+  integral/panel/panel_mapping.h \
+  integral/panel/panel_text.cpp \
+  integral/panel/panel_text.h

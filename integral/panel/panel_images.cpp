@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/panel/panel_images.h"
+
+#include "integral/base/interrupt.h"
+#include "integral/base/number_text.h"
+#include "integral/io/image_file.h"
+#include "integral/panel/panel_cards.h"
+#include "integral/replay/arrange.h"
+#include "integral/views/parallel_views.h"
+#include "integral/views/quilt.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral {
+namespace {
+
+constexpr int card_views = 8, longer_side_of_a_view = 1000;
+constexpr double most_samples = 1e9;
+
+bool close(double a, double b)
+{
+    return std::fabs(a - b) <= 1e-9 * std::max({1.0, std::fabs(a), std::fabs(b)});
+}
+
+/// The properties that a frame shares with frames rendered for a panel.
+struct Likeness {
+    bool lenses, size, pixel_pitch, colours;
+
+    /// Whether the frame's pixels are the panel's, under the same lenses.
+    bool all() const { return lenses && size && pixel_pitch && colours; }
+    /// Whether the frame seems to be meant for the panel, with one of the two changed since.
+    bool nearly() const { return pixel_pitch && (lenses || (size && colours)); }
+};
+
+Likeness likeness(const FrameMetadata& frame, const FrameMetadata& panel)
+{
+    const LensSheet &a = frame.sheet, &b = panel.sheet;
+    const Film &ours = frame.film, &theirs = panel.film;
+    return {a.arrangement == b.arrangement && close(a.pitch, b.pitch) &&
+                close(a.thickness, b.thickness) && close(a.ior, b.ior) && close(a.slant, b.slant) &&
+                close(a.offset.x, b.offset.x) && close(a.offset.y, b.offset.y),
+            ours.width == theirs.width && ours.height == theirs.height,
+            close(ours.pixel_pitch.x, theirs.pixel_pitch.x) &&
+                close(ours.pixel_pitch.y, theirs.pixel_pitch.y),
+            same_layout(ours.subpixels, theirs.subpixels)};
+}
+
+/// The reason why a frame that seems to have been meant for the panel is not passed through;
+/// nothing for other frames.
+std::optional<std::string> near_miss(const FrameMetadata& frame, const FrameMetadata& panel)
+{
+    const Likeness like = likeness(frame, panel);
+    if (!like.nearly())
+        return std::nullopt;
+    if (!like.size)
+        return "it has " + size_text(frame.film.width, frame.film.height) +
+               " pixels and the panel " + size_text(panel.film.width, panel.film.height);
+    return like.lenses ? "its pixels' colours lie otherwise" : "its lenses are not the panel's";
+}
+
+/// Converts to three channels of 8 or 16 bits over black; `linear`: 16 bits of linear light, for
+/// blending.
+Image prepared(const Image& view, bool linear)
+{
+    const Encoding light{Encoding::Kind::linear, 1}, encoding = linear ? light
+                                                                : sample_bits(view) > 16
+                                                                    ? Encoding()
+                                                                    : view.encoding;
+    const int bits = linear || sample_bits(view) > 8 ? 16 : 8;
+    if (view.channels == 3)
+        return converted(view, bits, encoding, false);
+    Image opaque = bits == 8 ? make_image<std::uint8_t>(view.width, view.height, 3, encoding)
+                             : make_image<std::uint16_t>(view.width, view.height, 3, encoding);
+    const LinearReader reader(view);
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            Colour c = reader(x, y);
+            c.a = 1;
+            store_linear(opaque, x, y, c);
+        }
+    return opaque;
+}
+
+Image mirrored(const Image& image, bool in_x, bool in_y)
+{
+    Image turned = image;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            store_pixel(turned, in_x ? image.width - 1 - x : x, in_y ? image.height - 1 - y : y,
+                        stored_pixel(image, x, y));
+    return turned;
+}
+
+bool nearly_equal(double a, double b) { return a == b || std::fabs(a - b) <= 0.01 * b; }
+
+/// Returns `eyes`, those of a frame's views, if the panel is as large as that frame's film.
+/// Otherwise nothing: a smaller or larger panel spreads the views over its own zone, as it spreads
+/// their pictures over its pixels.
+std::optional<EyeGrid> eyes_before(const Film& panel, const FrameMetadata& frame, EyeGrid eyes)
+{
+    if (nearly_equal(frame.film.width * frame.film.pixel_pitch.x,
+                     panel.width * panel.pixel_pitch.x) &&
+        nearly_equal(frame.film.height * frame.film.pixel_pitch.y,
+                     panel.height * panel.pixel_pitch.y))
+        return eyes;
+    return std::nullopt;
+}
+
+/// A message about a frame that was rendered for the panel, but for eyes at another distance or in
+/// a zone of another size; nothing if both are the panel's.
+std::optional<std::string> other_zone(const Aperture& frame, const Panel& of)
+{
+    const Aperture& panel = of.aperture;
+    const bool lie_across = lenses_lie_across(of.sheet);
+    const auto extent = [&](const Aperture& a) { return lie_across ? a.height : a.width; };
+    if (nearly_equal(frame.distance, panel.distance) && nearly_equal(extent(frame), extent(panel)))
+        return std::nullopt;
+    const auto mm = [](double length) { return with_decimals(length, 0) + " mm"; };
+    return "it is rendered for eyes " + mm(frame.distance) + " away in a zone " +
+           mm(extent(frame)) + (lie_across ? " high" : " wide") + "; the panel's are " +
+           mm(panel.distance) + " away in " + mm(extent(panel)) +
+           ", and near the ends see neighbouring views; viewing_distance " +
+           with_decimals(panel.distance, 0) + " in the camera moves them there";
+}
+
+const char* name_of(PanelCard card)
+{
+    switch (card) {
+    case PanelCard::views: return "views";
+    case PanelCard::crosstalk: return "crosstalk";
+    case PanelCard::colours: return "colours";
+    case PanelCard::pitch: break;
+    }
+    return "pitch";
+}
+
+bool has_round_lenses(const FrameMetadata& geometry)
+{
+    return geometry.sheet.arrangement != Arrangement::lenticular;
+}
+
+/// A message about a frame whose lenses show no new views in a direction in which the panel's
+/// lenses do; nothing if there is no such direction.
+std::optional<std::string> missing_views(const LensSheet& frame, const LensSheet& panel)
+{
+    const bool round = panel.arrangement != Arrangement::lenticular;
+    if (frame.arrangement != Arrangement::lenticular)
+        return std::nullopt;
+    const bool lie_across = lenses_lie_across(frame);
+    if (!round && lie_across == lenses_lie_across(panel))
+        return std::nullopt;
+    return std::string("its lenses are lenticular and show nothing new from ") +
+           (lie_across ? "the side" : "above") + ", as the panel's" +
+           (round        ? " round ones do"
+            : lie_across ? " upright ones do"
+                         : ", which lie across, do");
+}
+
+} // namespace
+
+PanelImages::PanelImages(const Panel& panel, PanelImageOptions options)
+    : panel_(panel), options_(std::move(options)), geometry_(frame_geometry(panel))
+{
+    if (double(panel.film.width) * panel.film.height * 3 > most_samples)
+        throw RequestError(options_.panel_name +
+                           ": it has more pixels than this program makes at once");
+}
+
+std::vector<std::vector<std::string>> PanelImages::groups(
+    const std::vector<std::string>& inputs) const
+{
+    if (inputs.size() == 1)
+        return {inputs};
+    // Files of single views, quilts and frames identify themselves; any other file is taken for a
+    // view.
+    bool alone = is_list_of_views(inputs[0]);
+    if (!alone) {
+        const auto views = ViewsReader(inputs[0], false).head().metadata;
+        if (views && views->quilt->view)
+            return {inputs};
+        alone = views || quilt_in_name(inputs[0]) || FrameReader(inputs[0]).frame().metadata;
+    }
+    if (!alone)
+        return {inputs};
+    std::vector<std::vector<std::string>> each;
+    for (const std::string& input : inputs)
+        each.push_back({input});
+    return each;
+}
+
+Image PanelImages::as_sent(const Image& upright) const
+{
+    return panel_.mirrored_x || panel_.mirrored_y
+               ? mirrored(upright, panel_.mirrored_x, panel_.mirrored_y)
+               : upright;
+}
+
+/// Makes a frame of the image sent to the panel. `zone`: the eyes' zone; default: the panel's.
+Frame PanelImages::finished(Image image, std::optional<Aperture> zone) const
+{
+    Frame frame{std::move(image), std::nullopt};
+    if (panel_.mirrored_x || panel_.mirrored_y)
+        return frame;
+    FrameMetadata geometry = geometry_;
+    geometry.aperture = zone.value_or(panel_.aperture);
+    geometry.encoding = frame.image.encoding;
+    set_metadata(frame, geometry);
+    return frame;
+}
+
+FittedPicture PanelImages::fitted_to_panel(double shape) const
+{
+    return fitted(shape, shape_of(panel_.film), options_.fit);
+}
+
+/// Sets mapping_ for a picture's place on the panel, and for the eyes of its views (nothing: the
+/// panel's own eyes). Keeps a mapping that is already right.
+void PanelImages::map_picture(const FittedPicture& picture, std::optional<EyeGrid> eyes)
+{
+    if (picture.size.x != mapped_picture_.size.x || picture.size.y != mapped_picture_.size.y) {
+        mapping_.reset();
+        mapped_eyes_.reset();
+    }
+    mapped_picture_ = picture;
+    if (!panel_.calibration)
+        map_through_lenses(eyes);
+    else if (!mapping_)
+        mapping_ = mapping_of(*panel_.calibration, picture);
+}
+
+/// Sets mapping_ through the lenses for these eyes (nothing: the panel's own eyes).
+void PanelImages::map_through_lenses(std::optional<EyeGrid> eyes)
+{
+    if (!eyes && !(std::isfinite(panel_.aperture.width) && std::isfinite(panel_.aperture.height)))
+        throw RequestError(options_.panel_name +
+                           ": no zone, however wide, fills its lenses; give aperture in its "
+                           "description, or check thickness and pitch: they may be swapped");
+    const double distance = panel_.aperture.distance;
+    const EyeGrid requested = eyes.value_or(EyeGrid{viewing_zone(geometry_, distance), distance});
+    if (mapped_eyes_ && requested.zone.x == mapped_eyes_->zone.x &&
+        requested.zone.y == mapped_eyes_->zone.y && requested.distance == mapped_eyes_->distance)
+        return;
+    mapped_eyes_.reset();
+    mapping_ = mapping_of(geometry_, requested, options_.threads, options_.progress("panel"),
+                          mapped_picture_);
+    if (!mapping_)
+        throw Interrupted();
+    mapped_eyes_ = requested;
+}
+
+Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes,
+                              Blend blend, const FittedPicture& picture)
+{
+    views_ = grid.count();
+    const bool blends = blend.views == Neighbours::linear || blend.pixels == Neighbours::linear;
+    const bool light = blends && !options_.encoded;
+    const Encoding encoding = sample_bits(views[0]) > 16 ? Encoding() : views[0].encoding;
+    const int bits = std::min(16, sample_bits(views[0]));
+    for (Image& view : views) {
+        view = prepared(view, light);
+        stop_if_interrupted();
+    }
+    const ViewRaster pictures(views, grid);
+    Image image = panel_image(pictures, panel_.film.width, panel_.film.height);
+    map_picture(picture, eyes);
+    if (mapping_->up.rows > 0 && grid.count() > 1 && (grid.columns == 1 || grid.rows == 1))
+        throw RequestError("round lenses show views across and up; " +
+                           size_text(grid.columns, grid.rows) + " are given");
+    interlace(image, pictures, *mapping_, blend, options_.threads);
+    if (!panel_.calibration) // a calibration's mapping is for the image as it is sent
+        image = as_sent(image);
+    return light ? converted(image, bits, encoding, false) : image;
+}
+
+/// Reads the frame, with metadata, that a group consists of; nothing if the group has views.
+std::optional<Frame> PanelImages::read_frame_of(const std::vector<std::string>& group) const
+{
+    const std::string& name = group[0];
+    if (group.size() > 1 || quilt_in_name(name) || is_list_of_views(name) ||
+        read_views(name, true).metadata)
+        return std::nullopt;
+    Frame frame = read_frame(name);
+    if (frame.metadata)
+        return frame;
+    if (!options_.views)
+        throw RequestError(name + ": it says neither a frame's geometry nor its views; "
+                                  "--views CxR would tell the views of a quilt");
+    return std::nullopt;
+}
+
+Frame PanelImages::image_of_views(const std::vector<std::string>& group)
+{
+    ViewsRequest request;
+    request.grid = options_.views;
+    request.of_eyes = true;
+    request.aspect = options_.aspect;
+    ViewInput views = read_given_views(group, request);
+    if (views.metadata && !views.metadata->quilt->eyes)
+        throw RequestError(group[0] +
+                           ": it holds parallel views; a panel shows those of eyes (integral "
+                           "views --eyes), or the frame (integral views --to-frame)");
+    std::optional<EyeGrid> eyes;
+    if (views.metadata) {
+        check_directions(group[0], *views.metadata, views.grid);
+        eyes = eyes_before(panel_.film, *views.metadata, *views.metadata->quilt->eyes);
+    }
+    if (options_.right_to_left)
+        turn_right_to_left(views.views, directions_of(views.grid, geometry_.sheet));
+    const FittedPicture picture = fitted_to_panel(views.shape);
+    if (picture.differs())
+        options_.tell(group[0] + ": " + fit_text(views, picture, "the panel"));
+    return finished(interlaced(std::move(views.views), views.grid, eyes, options_.blend, picture));
+}
+
+/// Throws RequestError if there are several views and missing_views gives a message.
+void PanelImages::check_directions(const std::string& name, const FrameMetadata& frame,
+                                   ViewGrid grid) const
+{
+    const auto what = missing_views(frame.sheet, geometry_.sheet);
+    if (what && grid.count() > 1)
+        throw RequestError(name + ": " + *what + "; --camera says what to render for the panel");
+}
+
+/// Passes through a frame that was rendered for the panel.
+Frame PanelImages::native_image(const std::string& name, const Frame& frame)
+{
+    views_ = 0;
+    if (const auto what = other_zone(frame.metadata->aperture, panel_))
+        options_.tell(name + ": " + *what);
+    return finished(as_sent(prepared(frame.image, false)), frame.metadata->aperture);
+}
+
+Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
+{
+    const FrameMetadata& metadata = *frame.metadata;
+    if (options_.aspect || options_.right_to_left)
+        throw RequestError(name + ": it is a frame; --aspect and --right-to-left are for views");
+    if (likeness(metadata, geometry_).all())
+        return native_image(name, frame);
+    const ViewGrid grid = directions_of(options_.views.value_or(natural_views(geometry_)),
+                                        geometry_.sheet);
+    check_directions(name, metadata, grid);
+    if (const auto what = near_miss(metadata, geometry_))
+        options_.tell(name + ": it is nearly a frame of this panel's own, but " + *what +
+                      ": the image is made of " + counted(grid.count(), "view") +
+                      " of it; --camera says what to render for the panel");
+    const FittedPicture picture = fitted_to_panel(shape_of(metadata.film));
+    if (picture.differs())
+        options_.tell(name + ": " + fit_text(picture, "the panel"));
+    View view;
+    set_view_size(view, picture.differs() ? metadata.film : geometry_.film, longer_side_of_a_view);
+    if (options_.width > 0) {
+        view.width = options_.width;
+        view.height = options_.height;
+    }
+    const double distance = metadata.aperture.distance;
+    const auto eyes = eyes_before(panel_.film, metadata,
+                                  {viewing_zone(metadata, distance), distance});
+    return finished(
+        interlaced(views_of_eyes(frame, grid, view, options_.threads, options_.progress("views")),
+                   grid, eyes, options_.blend, picture));
+}
+
+Frame PanelImages::image_of(const std::vector<std::string>& group)
+{
+    try {
+        const auto frame = read_frame_of(group);
+        stop_if_interrupted();
+        return frame ? image_of_frame(group[0], *frame) : image_of_views(group);
+    } catch (const RequestError&) {
+        throw;
+    } catch (const std::invalid_argument& error) {
+        throw RequestError(group[0] + ": " + error.what());
+    }
+}
+
+Frame PanelImages::image_of_card(PanelCard card)
+{
+    if (card == PanelCard::pitch)
+        return finished(as_sent(pitch_card(panel_)));
+    const ViewGrid grid = options_.views.value_or(
+        has_round_lenses(geometry_) ? ViewGrid{4, 4} : ViewGrid{card_views, 1});
+    const int count = grid.count();
+    const auto lit = options_.lit_view;
+    if (lit && (*lit < 0 || *lit >= count))
+        throw RequestError("--view " + std::to_string(*lit) + ": a whole number from 0 to " +
+                           std::to_string(count - 1) + " is expected");
+    auto views = card == PanelCard::views       ? view_number_card(count, shape_of(panel_.film))
+                 : card == PanelCard::crosstalk ? crosstalk_card(count, lit)
+                                                : colour_card(count, lit.value_or(count / 2));
+    return finished(interlaced(std::move(views), grid, std::nullopt,
+                               {Neighbours::nearest, Neighbours::nearest}, {}));
+}
+
+Frame PanelImages::card(PanelCard card)
+{
+    try {
+        return image_of_card(card);
+    } catch (const RequestError&) {
+        throw;
+    } catch (const std::invalid_argument& error) {
+        throw RequestError(std::string("--card ") + name_of(card) + ": " + error.what());
+    }
+}
+
+} // namespace integral

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Makes the images that are sent to a panel, from frames, quilts and views, and of test cards.
+#ifndef INTEGRAL_PANEL_PANEL_IMAGES_H
+#define INTEGRAL_PANEL_PANEL_IMAGES_H
+
+#include "integral/base/parallel.h"
+#include "integral/frame/frame.h"
+#include "integral/panel/interlace.h"
+#include "integral/panel/panel.h"
+#include "integral/views/view_input.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace integral {
+
+enum class PanelCard { views, crosstalk, colours, pitch };
+
+struct PanelImageOptions {
+    /// Number of views. Default: for a quilt the number in its name or metadata, for a frame the
+    /// panel's pixels per lens, rounded, for a card 8, or 4 x 4 behind round lenses.
+    std::optional<ViewGrid> views;
+    std::optional<double> aspect; ///< shape of given views, as in ViewsRequest
+    bool right_to_left = false;   ///< given views stand from right to left
+    Fit fit = Fit::contain;       ///< for frames and views of another shape than the panel's
+    Blend blend;
+    bool encoded = false;        ///< blend stored values, not linear light
+    int width = 0, height = 0;   ///< of each view of a frame, pixels; 0: 1000 on the longer side
+    std::optional<int> lit_view; ///< for PanelCard::crosstalk (default: every other view) and
+                                 ///< colours (default: the middle view)
+    int threads = 0;             ///< 0: one per core
+    std::string panel_name = "the panel"; ///< the panel's name in messages
+
+    /// Called with a line for each warning to the user; the image is made nevertheless.
+    std::function<void(const std::string&)> tell = [](const std::string&) {};
+    /// Makes the Progress of a long task from its name.
+    std::function<Progress(const char*)> progress = [](const char*) { return Progress(); };
+};
+
+/// Makes images for one panel; reuses intermediate results from image to image.
+class PanelImages {
+public:
+    /// Throws RequestError if the panel is too large.
+    PanelImages(const Panel& panel, PanelImageOptions options);
+
+    /// Groups the inputs that make one image: each frame or quilt is a group by itself; files of
+    /// single views form one group together. Throws InputError.
+    std::vector<std::vector<std::string>> groups(const std::vector<std::string>& inputs) const;
+
+    /// The panel's image of one group, with the geometry of a frame unless the panel is mirrored.
+    /// Throws RequestError, InputError, Interrupted.
+    Frame image_of(const std::vector<std::string>& group);
+
+    /// The panel's image of a test card. Throws RequestError.
+    Frame card(PanelCard card);
+
+    /// Number of views in the last image; 0: it was a frame rendered for the panel.
+    int views() const { return views_; }
+
+private:
+    std::optional<Frame> read_frame_of(const std::vector<std::string>& group) const;
+    void check_directions(const std::string& name, const FrameMetadata& frame, ViewGrid grid) const;
+    Frame image_of_views(const std::vector<std::string>& group);
+    Frame image_of_frame(const std::string& name, const Frame& frame);
+    Frame native_image(const std::string& name, const Frame& frame);
+    Frame image_of_card(PanelCard card);
+    Image interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes,
+                     Blend blend, const FittedPicture& picture);
+    void map_picture(const FittedPicture& picture, std::optional<EyeGrid> eyes);
+    void map_through_lenses(std::optional<EyeGrid> eyes);
+    FittedPicture fitted_to_panel(double shape) const;
+    Image as_sent(const Image& upright) const;
+    Frame finished(Image image, std::optional<Aperture> zone = std::nullopt) const;
+
+    const Panel panel_;
+    const PanelImageOptions options_;
+    const FrameMetadata geometry_;
+    int views_ = 0;
+    std::optional<PanelMapping> mapping_;
+    FittedPicture mapped_picture_;       ///< the picture that mapping_ is for
+    std::optional<EyeGrid> mapped_eyes_; ///< the eyes that mapping_ is for, if it is through the
+                                         ///< lenses
+};
+
+} // namespace integral
+
+#endif

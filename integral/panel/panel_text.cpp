@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/panel/panel_text.h"
+
+#include "integral/base/number_text.h"
+#include "integral/sheet/camera_words.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace integral {
+
+Json panels_json()
+{
+    Json list = Json::array();
+    for (const Panel& panel : known_panels())
+        list.push_back({{"name", panel.name},
+                        {"width", panel.film.width},
+                        {"height", panel.film.height},
+                        {"pixel_pitch_mm", panel.film.pixel_pitch.x},
+                        {"lens_pitch_mm", panel.sheet.pitch},
+                        {"slant_degrees", panel.sheet.slant},
+                        {"viewing_distance_mm", panel.aperture.distance}});
+    return list;
+}
+
+std::string panels_text()
+{
+    constexpr int longest_line = 200;
+    char line[longest_line];
+    std::snprintf(line, sizeof line, "%-28s %11s %9s %10s %8s %9s\n", "", "pixels", "pixel mm",
+                  "lens mm", "slant", "from mm");
+    std::string text = line;
+    for (const Panel& panel : known_panels()) {
+        const std::string size = size_text(panel.film.width, panel.film.height);
+        std::snprintf(line, sizeof line, "%-28s %11s %9.4f %10.4f %8.2f %9.0f\n",
+                      panel.name.c_str(), size.c_str(), panel.film.pixel_pitch.x, panel.sheet.pitch,
+                      panel.sheet.slant, panel.aperture.distance);
+        text += line;
+    }
+    return text;
+}
+
+std::string render_settings(Panel panel, const std::optional<ViewGrid>& quilt)
+{
+    constexpr int longer_side = 4096; // of a quilt, pixels at least
+    Film& film = panel.film;
+    if (quilt) {
+        const int finer = (longer_side - 1) / std::max(film.width, film.height) + 1;
+        film = {film.width * finer, film.height * finer, (1.0 / finer) * film.pixel_pitch};
+    }
+    return "Width=" + std::to_string(film.width) + "\nHeight=" + std::to_string(film.height) +
+           "\nIntegral_Camera=\"" + camera_words(frame_geometry(panel)) + " " + fit_words() + "\"\n" +
+           (quilt ? "Integral_Quilt=" + size_text(quilt->columns, quilt->rows) + "\n" : "");
+}
+
+} // namespace integral

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Lists the known panels, and writes the settings that render for a panel.
+#ifndef INTEGRAL_PANEL_PANEL_TEXT_H
+#define INTEGRAL_PANEL_PANEL_TEXT_H
+
+#include "integral/base/json.h"
+#include "integral/frame/view_grid.h"
+#include "integral/panel/panel.h"
+
+#include <optional>
+#include <string>
+
+namespace integral {
+
+/// All of known_panels, as a table or as JSON.
+std::string panels_text();
+Json panels_json();
+
+/// Lines of an INI file with which povray-integral renders for a panel: its image, or a quilt with
+/// this grid.
+std::string render_settings(Panel panel, const std::optional<ViewGrid>& quilt);
+
+} // namespace integral
+
+#endif

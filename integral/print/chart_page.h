@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Makes a pitch chart's page for one sheet and printer: its scale, the chart, and the command to
+// read it.
+#ifndef INTEGRAL_PRINT_CHART_PAGE_H
+#define INTEGRAL_PRINT_CHART_PAGE_H
+
+#include "integral/frame/frame.h"
+#include "integral/print/pitch_chart.h"
+
+#include <string>
+#include <vector>
+
+namespace integral {
+
+/// Default number of bars of a chart in each direction.
+int default_bars(const LensSheet& sheet);
+
+/// Default difference from bar to bar, mm: a round number that changes the number of bands along a
+/// bar by about an eighth from bar to bar. Throws as chart_bars does.
+double default_step(const LensSheet& sheet, const Film& film);
+
+/// A scale whose middle bar looks even, without bands, under the sheet from 400 mm. All its pitches
+/// are whole multiples of the step, so that they are round numbers. `first` may be 0 or less if the
+/// step is too large.
+PitchScale scale_about(const LensSheet& sheet, double step, int bars);
+
+/// A chart for printing.
+struct ChartPage {
+    Frame frame;         ///< with its geometry
+    std::string reading; ///< "Read it by: COMMAND", the page's last line
+};
+
+/// Draws the chart of a geometry's sheet on a page of its film. In the chart's geometry, the
+/// aperture is for 400 mm, and the sheet has no offset. Throws as pitch_chart does.
+ChartPage chart_page(FrameMetadata geometry, const PitchScale& scale);
+
+/// Writes a chart to a .pdf, on a page of its own size, or as a picture by write_frame.
+/// Throws OutputError.
+void write_chart(const std::string& path, const Frame& chart);
+
+/// The geometry with the measured pitch and index, for a sheet's file, which works with frames of
+/// any size.
+FrameMetadata corrected_sheet(FrameMetadata geometry, const MeasuredSheet& found);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Converts colours for a printer by ICC profiles, with Little CMS.
+#ifndef INTEGRAL_PRINT_COLOUR_PROFILE_H
+#define INTEGRAL_PRINT_COLOUR_PROFILE_H
+
+#include "integral/frame/image.h"
+
+#include <memory>
+#include <string>
+
+namespace integral {
+
+enum class Intent { perceptual, relative, saturation, absolute };
+
+/// The profile of sRGB: the bytes of an ICC file, the same in every run.
+std::string srgb_profile();
+
+/// Converts colours from sRGB to those of an RGB device.
+class ProfileTransform {
+public:
+    /// `profile`: the bytes of the device's ICC file. `bits`: 8 or 16, of the pictures' samples.
+    /// Throws std::runtime_error, with a sentence for the user, if the bytes are no ICC profile or
+    /// the device is not RGB.
+    ProfileTransform(const std::string& profile, int bits, Intent intent);
+
+    /// Converts a picture in place: three channels, encoded in sRGB.
+    void apply(Image& picture) const;
+
+private:
+    std::shared_ptr<void> transform_;
+};
+
+/// Converts a picture by a ProfileTransform. Throws as its constructor does.
+Image in_profile(Image picture, const std::string& profile, Intent intent);
+
+} // namespace integral
+
+#endif

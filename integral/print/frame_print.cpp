@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/print/frame_print.h"
+
+#include "integral/base/interrupt.h"
+#include "integral/base/number_text.h"
+#include "integral/frame/names.h"
+#include "integral/io/picture_series.h"
+#include "integral/print/page_pdf.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <stdexcept>
+
+namespace integral {
+namespace {
+
+/// Today's date, or the date in SOURCE_DATE_EPOCH.
+std::string today()
+{
+    std::time_t now = std::time(nullptr);
+    if (const char* fixed = std::getenv("SOURCE_DATE_EPOCH"))
+        now = std::time_t(std::strtoll(fixed, nullptr, 10));
+    const std::tm* day = std::gmtime(&now);
+    char text[40];
+    if (!day || std::strftime(text, sizeof text, "%Y-%m-%d", day) == 0)
+        throw std::invalid_argument("SOURCE_DATE_EPOCH is no time that has a date");
+    return text;
+}
+
+/// Returns work(). Passes on InputError, OutputError and Interrupted, which name the file or the
+/// cause; converts other errors of type `Other` by `named`.
+template <class Other, class Work, class Named> auto with_errors_named(Work work, Named named)
+{
+    try {
+        return work();
+    } catch (const InputError&) {
+        throw;
+    } catch (const OutputError&) {
+        throw;
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Other& error) {
+        throw named(error);
+    }
+}
+
+/// Returns draw(), which draws a page; adds the page's size to errors.
+template <class Draw> auto drawn(const Page& page, Draw draw)
+{
+    return with_errors_named<std::runtime_error>(draw, [&](const std::runtime_error& error) {
+        return std::invalid_argument("a page of " + std::to_string(page.width) + " x " +
+                                     std::to_string(page.height) + " pixels: " + error.what());
+    });
+}
+
+} // namespace
+
+PageFormat page_format(const std::string& path)
+{
+    if (path == "-")
+        return PageFormat::png;
+    const std::string extension = extension_of(path);
+    if (extension == "pdf")
+        return PageFormat::pdf;
+    if (extension == "tif" || extension == "tiff")
+        return PageFormat::tiff;
+    if (extension == "png")
+        return PageFormat::png;
+    throw OutputError(path + ": pages are .pdf, .tiff or .png");
+}
+
+std::string print_title(const std::string& path, const FrameMetadata& m)
+{
+    const auto slash = path.rfind('/');
+    std::string text = m.render && !m.render->scene.empty()
+                           ? m.render->scene
+                           : path.substr(slash == std::string::npos ? 0 : slash + 1);
+    text += std::string(", ") + name_of(m.sheet.arrangement) + " " + with_digits(m.sheet.pitch, 6) +
+            " mm, " + with_digits(m.sheet.thickness, 6) + " mm thick, ior " +
+            with_digits(m.sheet.ior, 6);
+    if (m.sheet.slant != 0)
+        text += ", slant " + with_digits(m.sheet.slant, 6);
+    text += ", " + with_digits(mm_per_inch / m.film.pixel_pitch.x, 6) + " x " +
+            with_digits(mm_per_inch / m.film.pixel_pitch.y, 6) + " dpi, from " +
+            with_digits(m.aperture.distance, 6) + " mm, " + today();
+    if (m.render && m.render->error)
+        text += ", error " + with_digits(m.render->error->rms, 6);
+    return text;
+}
+
+Vec2 printer_pitch(const Film& film, Vec2 feed, const std::optional<Vec2>& dpi)
+{
+    const Vec2 made{film.pixel_pitch.x / feed.x, film.pixel_pitch.y / feed.y};
+    if (!dpi)
+        return made;
+    const auto differs = [](double a, double b) { return std::fabs(a - b) > 1e-6 * b; };
+    if (differs(mm_per_inch / made.x, dpi->x) || differs(mm_per_inch / made.y, dpi->y)) {
+        const Vec2 pitch{mm_per_inch / dpi->x * feed.x, mm_per_inch / dpi->y * feed.y};
+        throw std::invalid_argument(
+            "the frame has " + with_digits(mm_per_inch / film.pixel_pitch.x, 6) + " x " +
+            with_digits(mm_per_inch / film.pixel_pitch.y, 6) +
+            " pixels an inch, and is never resampled; for this printer render it with film { "
+            "pixel_pitch <" +
+            with_digits(pitch.x, 6) + ", " + with_digits(pitch.y, 6) +
+            "> }, or let it print at the frame's own resolution");
+    }
+    return {mm_per_inch / dpi->x, mm_per_inch / dpi->y};
+}
+
+Image over_white(Image picture, int bits)
+{
+    const Encoding srgb;
+    if (picture.channels == 3)
+        return sample_bits(picture) == bits && same_encoding(picture.encoding, srgb)
+                   ? std::move(picture)
+                   : converted(picture, bits, srgb, false);
+    Image page = blank_like(form_of(bits, picture.width, picture.height, 3, srgb), picture.width,
+                            picture.height);
+    const LinearReader light(picture);
+    for_each_row(picture.height, 0, [&](int y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const Colour c = light(x, y);
+            store_linear(page, x, y, {c.r + 1 - c.a, c.g + 1 - c.a, c.b + 1 - c.a, 1});
+        }
+    });
+    return page;
+}
+
+FramePrint::FramePrint(FrameReader& frame, const PrintSettings& settings)
+    : reader_(frame), pixel_pitch_(settings.pixel_pitch), title_(settings.title)
+{
+    const Image& image = frame.frame().image;
+    pages_ = lay_out(*frame.frame().metadata, pixel_pitch_, settings.page);
+    const int bits = settings.bits ? settings.bits : std::min(16, sample_bits(image));
+    form_ = form_of(bits, image.width, image.height, 3, Encoding());
+    profile_ = srgb_profile();
+    if (!settings.profile)
+        return;
+    profile_ = read_file(*settings.profile);
+    try {
+        transform_.emplace(profile_, bits, settings.intent);
+    } catch (const std::runtime_error& error) {
+        throw InputError(*settings.profile + ": " + error.what());
+    }
+}
+
+/// Rows of the picture in the profile's colours. Going back reads the file from its start again.
+Image FramePrint::rows(int first, int count)
+{
+    const Image& frame = reader_.frame().image;
+    const auto read = [&](int rows) {
+        stop_if_interrupted();
+        Image band = blank_like(frame, frame.width, rows);
+        reader_.read(band);
+        next_ += rows;
+        return band;
+    };
+    if (first < next_) {
+        reader_.restart();
+        next_ = 0;
+    }
+    while (next_ < first)
+        read(std::min(rows_of_a_band(frame), first - next_));
+    Image picture = over_white(read(count), sample_bits(form_));
+    if (transform_)
+        transform_->apply(picture);
+    return picture;
+}
+
+PictureRows FramePrint::row_source()
+{
+    return [this](int first, int count) { return rows(first, count); };
+}
+
+/// Opens the file of a page, with its geometry if the page can be replayed.
+PictureWriter FramePrint::page_writer(const Page& page, const std::string& path) const
+{
+    std::optional<FrameMetadata> geometry;
+    if (const auto g = geometry_of(page, *reader_.frame().metadata)) {
+        geometry = g->metadata;
+        geometry->encoding = Encoding();
+    }
+    Image form = form_;
+    form.width = page.width;
+    form.height = page.height;
+    return PictureWriter::of_page(path, form, pixel_pitch_, profile_, geometry);
+}
+
+void FramePrint::write_pdf_file(const std::string& path)
+{
+    OutputFile file(path);
+    with_errors_named<std::exception>(
+        [&] { write_pdf(file, pages_, form_, row_source(), profile_, title_); },
+        [&](const std::exception& error) { return OutputError(path + ": " + reason_of(error)); });
+    file.finish();
+}
+
+void FramePrint::write_pictures(const std::string& path, const Progress& progress)
+{
+    const int count = page_count();
+    for (int begin = 0; begin < count;) { // a row of tiles
+        const int end = begin + pages_[std::size_t(begin)].columns;
+        const std::vector<Page> pages(pages_.begin() + begin, pages_.begin() + end);
+        std::vector<PictureWriter> files;
+        for (int k = begin; k < end; ++k)
+            files.push_back(page_writer(pages_[std::size_t(k)],
+                                        count == 1 ? path : numbered(path, k + 1, count)));
+        drawn(pages[0], [&] {
+            draw_pages(pages, form_, row_source(), [&](std::size_t k, const Image& rows) {
+                stop_if_interrupted();
+                files[k].write(rows);
+            });
+        });
+        for (PictureWriter& file : files)
+            file.finish();
+        begin = end;
+        if (progress && !progress(begin, count) && begin < count)
+            throw Interrupted();
+    }
+}
+
+void FramePrint::write(const std::string& path, const Progress& progress)
+{
+    if (page_format(path) == PageFormat::pdf)
+        write_pdf_file(path);
+    else
+        write_pictures(path, progress);
+}
+
+std::vector<Image> FramePrint::pictures()
+{
+    std::vector<Image> pictures;
+    for (const Page& page : pages_)
+        pictures.push_back(drawn(page, [&] { return rasterized(page, form_, row_source()); }));
+    return pictures;
+}
+
+} // namespace integral

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Prints a frame pixel for pixel: its pages as files, or as pictures for a printer.
+#ifndef INTEGRAL_PRINT_FRAME_PRINT_H
+#define INTEGRAL_PRINT_FRAME_PRINT_H
+
+#include "integral/base/parallel.h"
+#include "integral/io/image_file.h"
+#include "integral/print/colour_profile.h"
+#include "integral/print/page_raster.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace integral {
+
+enum class PageFormat { pdf, tiff, png };
+
+/// The format of a page's file by its name; "-" is PNG. Throws OutputError for other names.
+PageFormat page_format(const std::string& path);
+
+/// Describes a print's frame in one line: scene, sheet, film, date and error figure. `path`: of the
+/// frame, used if its metadata name no scene. The date is today's or, for reproducible builds, that
+/// of SOURCE_DATE_EPOCH. Throws std::invalid_argument if this variable gives no date.
+std::string print_title(const std::string& path, const FrameMetadata& metadata);
+
+/// Nominal pixel pitch of a printer, mm. `feed`: printed length divided by nominal length, across
+/// and down. `dpi`: the printer's nominal resolution, if known. Throws std::invalid_argument if the
+/// film's pixel pitch, divided by `feed`, is not that of `dpi`.
+Vec2 printer_pitch(const Film& film, Vec2 feed, const std::optional<Vec2>& dpi);
+
+/// Composites a picture over white paper: three channels, 8 or 16 bits, sRGB. A picture of that
+/// form is returned unchanged.
+Image over_white(Image picture, int bits);
+
+struct PrintSettings {
+    Vec2 pixel_pitch;                   ///< nominal, of the printer, mm
+    PageRequest page;                   ///< layout of the pages
+    std::string title;                  ///< of the document
+    int bits = 0;                       ///< for each colour, 8 or 16; 0: as many as the frame has
+    std::optional<std::string> profile; ///< path of the printer's ICC profile; by default sRGB
+    Intent intent = Intent::relative;
+};
+
+/// The pages of a frame, ready to be written. Only some rows of the frame are in memory at a time.
+class FramePrint {
+public:
+    /// `frame` must have metadata, must not have been read yet, and must outlive the print. Throws
+    /// std::invalid_argument if the paper is too small, InputError for the profile.
+    FramePrint(FrameReader& frame, const PrintSettings& settings);
+
+    int page_count() const { return int(pages_.size()); }
+
+    /// Writes the pages to one .pdf, or as pictures, with numbers if there are several, and with
+    /// their geometry if they can be replayed. `progress` counts pages; it is not called for a
+    /// .pdf. Throws std::invalid_argument if a page cannot be drawn, InputError, OutputError,
+    /// Interrupted.
+    void write(const std::string& path, const Progress& progress = {});
+
+    /// The pages as pictures in memory. Throws as `write` does.
+    std::vector<Image> pictures();
+
+private:
+    Image rows(int first, int count);
+    PictureRows row_source();
+    PictureWriter page_writer(const Page& page, const std::string& path) const;
+    void write_pdf_file(const std::string& path);
+    void write_pictures(const std::string& path, const Progress& progress);
+
+    FrameReader& reader_;
+    int next_ = 0; ///< the reader's current row
+    std::vector<Page> pages_;
+    Image form_; ///< of the picture on the pages; it has no samples
+    Vec2 pixel_pitch_;
+    std::string profile_, title_; ///< the profile's bytes
+    std::optional<ProfileTransform> transform_;
+};
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/print/page_pdf.h"
+
+#include "integral/base/number_text.h"
+#include "integral/io/pdf_file.h"
+
+#include <vector>
+
+namespace integral {
+namespace {
+
+constexpr double points_per_mm = 72 / 25.4;
+
+std::string number(double value) { return with_decimals(value, 6); }
+
+/// Converts pixels from the page's top left corner to points from its bottom left.
+struct Points {
+    const Page& page;
+    double x(double pixel) const { return pixel * page.pixel_pitch.x * points_per_mm; }
+    double y(double pixel) const
+    {
+        return (page.height - pixel) * page.pixel_pitch.y * points_per_mm;
+    }
+    /// A box, mirrored if the page is mirrored.
+    std::string box(const PixelRectangle& r) const
+    {
+        const int left = page.mirrored ? page.width - r.x - r.width : r.x;
+        return "[" + number(x(left)) + " " + number(y(r.y + r.height)) + " " +
+               number(x(left + r.width)) + " " + number(y(r.y)) + "]";
+    }
+};
+
+/// The picture's samples in PDF's order: 16 bits with the high byte first.
+std::vector<unsigned char> samples_of(const Image& image)
+{
+    std::vector<unsigned char> bytes;
+    std::visit(
+        [&](const auto& samples) {
+            bytes.reserve(samples.size() * (sample_bits(image) / 8));
+            for (const auto sample : samples) {
+                if constexpr (sizeof sample == 2)
+                    bytes.push_back(static_cast<unsigned char>(sample >> 8));
+                bytes.push_back(static_cast<unsigned char>(static_cast<unsigned>(sample) & 0xff));
+            }
+        },
+        image.samples);
+    return bytes;
+}
+
+std::string content_of(const Page& page)
+{
+    const Points points{page};
+    std::string text;
+    // The picture: a unit square, stretched to its pixels' size less a thousandth of a pixel at
+    // each edge. With edges on pixel edges, rasterizers that paint every pixel that it touches
+    // (poppler's Splash, which CUPS uses) would make it a pixel wider and resample it.
+    constexpr double inset = 1.0 / 1024;
+    const int left = page.mirrored ? page.width - page.x - page.part.width : page.x;
+    text += "q " + number(points.x(page.part.width - 2 * inset)) + " 0 0 " +
+            number((page.part.height - 2 * inset) * page.pixel_pitch.y * points_per_mm) + " " +
+            number(points.x(left + inset)) + " " +
+            number(points.y(page.y + page.part.height - inset)) + " cm /Picture Do Q\n";
+    if (page.mirrored)
+        text += "-1 0 0 1 " + number(points.x(page.width)) + " 0 cm\n";
+    text += number(points.x(1)) + " w 0 G 0 g\n";
+    const auto place = [&](Vec2 mm) {
+        return number(mm.x * points_per_mm) + " " + number(points.y(mm.y / page.pixel_pitch.y));
+    };
+    for (const PageLine& line : page.lines)
+        text += place(line.from) + " m " + place(line.to) + " l S\n";
+    if (!page.strip.empty())
+        text += "BT /Plain " + number(page.strip_size * points_per_mm) + " Tf " +
+                place(page.strip_place) + " Td " + pdf_latin_text(page.strip) + " Tj ET\n";
+    return text;
+}
+
+/// Adds the page's part of the picture; returns its object's number.
+int add_picture(PdfFile& pdf, const Page& page, const Image& form, const PictureRows& picture,
+                int colour_space)
+{
+    const std::string entries = "/Type /XObject /Subtype /Image /Width " +
+                                std::to_string(page.part.width) + " /Height " +
+                                std::to_string(page.part.height) + " /BitsPerComponent " +
+                                std::to_string(sample_bits(form)) + " /ColorSpace " +
+                                reference(colour_space) + " /Interpolate false";
+    return pdf.add_stream(entries, [&](const PdfFile::TakeBytes& take) {
+        draw_part(page, form, picture, [&](const Image& rows) {
+            const std::vector<unsigned char> bytes = samples_of(rows);
+            take(bytes.data(), bytes.size());
+        });
+    });
+}
+
+/// Adds the page itself; returns its object's number.
+int add_page(PdfFile& pdf, const Page& page, int parent, int picture, int font)
+{
+    const int content = pdf.add_stream("", content_of(page));
+    const Points points{page};
+    const std::string paper = points.box({0, 0, page.width, page.height});
+    return pdf.add("<< /Type /Page /Parent " + reference(parent) + " /MediaBox " + paper +
+                   " /CropBox " + paper + " /BleedBox " +
+                   points.box({page.x, page.y, page.part.width, page.part.height}) + " /TrimBox " +
+                   points.box(page.trimmed) + " /Resources << /XObject << /Picture " +
+                   reference(picture) + " >> /Font << /Plain " + reference(font) +
+                   " >> >> /Contents " + reference(content) + " >>");
+}
+
+} // namespace
+
+void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form,
+               const PictureRows& picture, const std::string& profile, const std::string& title)
+{
+    PdfFile pdf(sink);
+    const int colours = pdf.add_stream("/N 3 /Alternate /DeviceRGB", profile);
+    const int colour_space = pdf.add("[ /ICCBased " + reference(colours) + " ]");
+    const int font = pdf.add("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica "
+                             "/Encoding /WinAnsiEncoding >>");
+    const int all_pages = pdf.reserve();
+    std::string kids;
+    for (const Page& page : pages) {
+        const int part = add_picture(pdf, page, form, picture, colour_space);
+        kids += reference(add_page(pdf, page, all_pages, part, font)) + " ";
+    }
+    pdf.write(all_pages, "<< /Type /Pages /Kids [ " + kids + "] /Count " +
+                             std::to_string(pages.size()) + " >>");
+    const int catalog = pdf.add("<< /Type /Catalog /Pages " + reference(all_pages) +
+                                " /ViewerPreferences << /PrintScaling /None >> >>");
+    const int about = pdf.add("<< /Title " + pdf_text(title) + " /Producer (povray-integral) >>");
+    pdf.finish(catalog, about);
+}
+
+} // namespace integral

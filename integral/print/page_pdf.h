@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Writes pages as a PDF.
+#ifndef INTEGRAL_PRINT_PAGE_PDF_H
+#define INTEGRAL_PRINT_PAGE_PDF_H
+
+#include "integral/base/file_bytes.h"
+#include "integral/frame/image.h"
+#include "integral/print/page_raster.h"
+
+#include <string>
+
+namespace integral {
+
+/// Writes a PDF 1.6 of all pages of a picture (`form`: 8 or 16 bits, three channels); `profile` (an
+/// ICC file's bytes) defines its colours. Each page holds its part of the picture as one image,
+/// packed without loss and not to be smoothed, at whole printer pixels from the page's top left
+/// corner (to a thousandth of a pixel); marks and strip are lines and text. MediaBox: the paper, in
+/// whole printer pixels; BleedBox: the picture; TrimBox: the part that remains after cutting.
+/// Viewers are asked not to scale. Equal pages give equal bytes. Only some rows of the picture are
+/// in memory at a time. Throws what `picture` and `sink` throw.
+void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form,
+               const PictureRows& picture, const std::string& profile, const std::string& title);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Finds sheets of paper by name.
+#ifndef INTEGRAL_PRINT_PAPER_H
+#define INTEGRAL_PRINT_PAPER_H
+
+#include <optional>
+#include <string>
+
+namespace integral {
+
+/// A sheet, mm. Named sheets are upright: width <= height.
+struct Paper {
+    double width = 0, height = 0;
+};
+
+/// The paper of a name, in small or capital letters: sizes of dye-sublimation and photo papers in
+/// inches (4x6), A0 to A6, letter, legal, tabloid, and postcard (100 x 148 mm). Empty for other
+/// names.
+std::optional<Paper> paper_named(const std::string& name);
+
+/// All names, for messages and completion: "3.5x5, 4x6 and A4".
+std::string paper_names();
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Shows a picture, or plays a sequence of picture files, on a display of the desktop, pixel for
+// pixel.
+#ifndef INTEGRAL_SCREEN_SCREEN_SHOW_H
+#define INTEGRAL_SCREEN_SCREEN_SHOW_H
+
+#include "integral/frame/image.h"
+#include "integral/screen/screen_window.h"
+
+#include <string>
+#include <vector>
+
+namespace integral {
+
+/// Display and duration for showing pictures.
+struct ShowOptions {
+    std::string display = "auto"; ///< the argument `requested` of choose_screen
+    double seconds = 0;           ///< duration; 0: until the user ends it
+};
+
+/// Shows a picture, which messages call `name`. Throws OutputError if no display shows it pixel for
+/// pixel, Interrupted after an interruption.
+void show_picture(const Image& picture, const std::string& name, const ShowOptions& options);
+
+struct PlayOptions {
+    double rate = 30; ///< pictures a second
+    bool loop = false;
+    int threads = 0; ///< decoding threads; 0: one for each core
+};
+
+/// Plays picture files of one size. An interruption ends play; the report says so. Throws
+/// InputError if a file cannot be read or has another size, OutputError as show_picture does.
+PlayReport play_files(const std::vector<std::string>& files, const PlayOptions& playing,
+                      const ShowOptions& options);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/views/flip.h"
+
+#include "integral/frame/geometry_json.h"
+#include "integral/io/frame_rows.h"
+#include "integral/io/image_file.h"
+#include "integral/replay/arrange.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace integral {
+namespace {
+
+/// Whether two frames' pixels have the same rays.
+bool same_rays(const FrameMetadata& a, const FrameMetadata& b)
+{
+    return json_of(a.sheet) == json_of(b.sheet) && json_of(a.film) == json_of(b.film) &&
+           json_of(a.aperture) == json_of(b.aperture);
+}
+
+struct Inputs {
+    std::vector<SharedPicture> pictures;
+    FrameMetadata geometry;
+    Image form; ///< of the frame
+};
+
+/// The requested geometry, or else the geometry of the frames among the pictures.
+FrameMetadata geometry_of(const PictureFlip& flip)
+{
+    std::optional<FrameMetadata> found;
+    std::string first;
+    for (const std::string& path : flip.pictures) {
+        const FrameReader file(path);
+        const auto& metadata = file.frame().metadata;
+        if (!metadata)
+            continue;
+        file.refuse_projection();
+        const FrameMetadata& requested = found           ? *found
+                                         : flip.geometry ? *flip.geometry
+                                                         : *metadata;
+        if (!same_rays(*metadata, requested))
+            throw std::invalid_argument(
+                path + ": its sheet, film or aperture is not that of " +
+                (found ? first : "--sheet and the options") +
+                "; render all frames for one sheet, at one size");
+        if (!found)
+            first = path;
+        found = metadata;
+    }
+    if (flip.geometry)
+        return *flip.geometry;
+    if (!found)
+        throw std::invalid_argument("no picture is a frame, and no sheet is given");
+    return *found;
+}
+
+/// Reads the pictures, each made small enough for the lenses.
+Inputs read_pictures(const PictureFlip& flip)
+{
+    Inputs all;
+    all.geometry = geometry_of(flip);
+    FrameMetadata& geometry = all.geometry;
+    int bits = 8;
+    bool transparent = false;
+    for (const std::string& path : flip.pictures) {
+        stop_if_interrupted();
+        Frame frame = read_frame(path);
+        SharedPicture picture;
+        picture.is_frame = frame.metadata.has_value();
+        bits = std::max(bits, sample_bits(frame.image));
+        if (all.pictures.empty())
+            all.form = form_of(frame.image);
+        transparent = transparent || (picture.is_frame && frame.image.channels == 4);
+        if (picture.is_frame) {
+            picture.image = std::move(frame.image);
+        } else {
+            picture.fit = fitted(double(frame.image.width) / frame.image.height,
+                                 shape_of(geometry.film), flip.fit);
+            if (picture.fit.differs())
+                flip.tell(path + ": " + fit_text(picture.fit, "the film"));
+            picture.image = for_lenses(frame.image, picture.fit, geometry, flip.threads);
+        }
+        all.pictures.push_back(std::move(picture));
+    }
+    all.form = form_of(flip.bits.value_or(bits), geometry.film.width, geometry.film.height,
+                       transparent ? 4 : 3, all.form.encoding);
+    geometry.placement.reset(); // the frame does not show one rendered scene
+    geometry.parallax.reset();
+    geometry.render.reset();
+    geometry.encoding = all.form.encoding;
+    return all;
+}
+
+/// The pictures' indices from left to right, or from below upwards.
+std::vector<int> order_of(const PictureFlip& flip)
+{
+    const int count = int(flip.pictures.size());
+    std::vector<int> order;
+    for (int k = 0; k < count; ++k)
+        order.push_back(k);
+    if (flip.there_and_back)
+        for (int k = count - 2; k > 0; --k)
+            order.push_back(k);
+    if (flip.reverse)
+        std::reverse(order.begin(), order.end());
+    return order;
+}
+
+ZoneShares shares_of(const PictureFlip& flip, const std::vector<int>& order)
+{
+    if (!flip.shares.empty() && flip.shares.size() != flip.pictures.size())
+        throw std::invalid_argument("there are " + std::to_string(flip.shares.size()) +
+                                    " shares for " + std::to_string(flip.pictures.size()) +
+                                    " pictures");
+    ZoneDivision division;
+    for (const int picture : order)
+        division.shares.push_back(flip.shares.empty() ? 1 : flip.shares[picture]);
+    division.transition = flip.transition;
+    division.loop = flip.loop;
+    return ZoneShares(division);
+}
+
+/// The direction in which the zone is divided. Throws std::invalid_argument if `upwards` is set for
+/// lenses that show pictures sideways alone.
+ZoneAxis axis_of(const PictureFlip& flip, const LensSheet& sheet)
+{
+    const ZoneAxis own = zone_axis(sheet);
+    if (!flip.upwards || own == ZoneAxis::upwards)
+        return own;
+    if (sheet.arrangement == Arrangement::lenticular)
+        throw std::invalid_argument("upright lenticular lenses show pictures sideways alone; a "
+                                    "slant of 90 degrees lays them across");
+    return ZoneAxis::upwards;
+}
+
+} // namespace
+
+ZoneView write_flip(const PictureFlip& flip, const Progress& progress)
+{
+    const std::vector<int> order = order_of(flip);
+    const ZoneShares shares = shares_of(flip, order);
+    const Inputs inputs = read_pictures(flip);
+    const FrameMetadata& geometry = inputs.geometry;
+    const ZoneAxis axis = axis_of(flip, geometry.sheet);
+    Frame form{inputs.form, std::nullopt};
+    set_metadata(form, geometry);
+    write_drawn_rows(flip.output, FrameOfShares(inputs.pictures, order, geometry, shares, axis),
+                     form, flip.threads, progress);
+    return zone_view(geometry, shares, order, int(flip.pictures.size()), axis, flip.threads);
+}
+
+} // namespace integral

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/views/frame_of_shares.h"
+
+#include "integral/frame/eye_place.h"
+#include "integral/replay/arrange.h"
+#include "integral/replay/interpolate.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace integral {
+
+ZoneAxis zone_axis(const LensSheet& sheet)
+{
+    return lenses_lie_across(sheet) ? ZoneAxis::upwards : ZoneAxis::sideways;
+}
+
+namespace {
+
+/// Source pixels that one new pixel covers, along one side.
+struct Covered {
+    int first = 0;
+    std::vector<float> weights; ///< of the pixels from `first` on; their sum is 1
+};
+
+std::vector<Covered> covered_by(int old_side, int new_side)
+{
+    std::vector<Covered> all(new_side);
+    const double scale = double(old_side) / new_side;
+    for (int k = 0; k < new_side; ++k) {
+        const double from = k * scale, to = std::min((k + 1) * scale, double(old_side));
+        Covered& c = all[k];
+        c.first = std::min(int(from), old_side - 1);
+        for (int at = c.first; at < old_side && (at < to || c.weights.empty()); ++at)
+            c.weights.push_back(
+                float((std::min(to, at + 1.0) - std::max(from, double(at))) / (to - from)));
+    }
+    return all;
+}
+
+void add(Colour& sum, float weight, Colour c)
+{
+    sum = {sum.r + weight * c.r, sum.g + weight * c.g, sum.b + weight * c.b, sum.a + weight * c.a};
+}
+
+} // namespace
+
+Image for_lenses(const Image& picture, const FittedPicture& fit, const FrameMetadata& geometry,
+                 int threads)
+{
+    const LensSheet& sheet = geometry.sheet;
+    const Film& film = geometry.film;
+    const Vec2 size = size_of(film);
+    Vec2 step{sheet.pitch / 2, sheet.pitch / 2};
+    if (sheet.arrangement == Arrangement::lenticular)
+        (lenses_lie_across(sheet) ? step.x : step.y) = lenses_lie_across(sheet)
+                                                           ? film.pixel_pitch.x
+                                                           : film.pixel_pitch.y;
+    const auto side = [](int pixels, double length, double step) {
+        return std::clamp(int(std::ceil(length / step)), 1, pixels);
+    };
+    const int width = side(picture.width, fit.size.x * size.x, step.x),
+              height = side(picture.height, fit.size.y * size.y, step.y);
+    Image small = make_image<float>(width, height, 4, Encoding{Encoding::Kind::linear});
+    small.premultiplied = true;
+    const LinearReader light(picture);
+    const std::vector<Covered> across = covered_by(picture.width, width),
+                               down = covered_by(picture.height, height);
+    for_each_row(height, threads, [&](int y) {
+        std::vector<Colour> row(picture.width, Colour{0, 0, 0, 0});
+        for (std::size_t j = 0; j < down[y].weights.size(); ++j)
+            for (int x = 0; x < picture.width; ++x)
+                add(row[x], down[y].weights[j], light(x, down[y].first + int(j)));
+        for (int x = 0; x < width; ++x) {
+            Colour mean{0, 0, 0, 0};
+            for (std::size_t i = 0; i < across[x].weights.size(); ++i)
+                add(mean, across[x].weights[i], row[across[x].first + int(i)]);
+            store_linear(small, x, y, mean);
+        }
+    });
+    return small;
+}
+
+struct FrameOfShares::State {
+    State(const std::vector<SharedPicture>& given, const std::vector<int>& given_order,
+          const FrameMetadata& geometry, const ZoneShares& given_shares, ZoneAxis given_axis)
+        : film(geometry.film),
+          eyes{viewing_zone(geometry, geometry.aperture.distance), geometry.aperture.distance},
+          optics(geometry.sheet, geometry.aperture),
+          pictures(given),
+          order(given_order),
+          shares(given_shares),
+          axis(given_axis)
+    {
+        for (const SharedPicture& picture : pictures) {
+            const Image& image = picture.image;
+            if (picture.is_frame && (image.width != film.width || image.height != film.height))
+                throw std::invalid_argument("a frame has another size than the film");
+            light.emplace_back(image);
+            windows.push_back(pixels_on(film, picture.fit, image.width, image.height));
+        }
+    }
+
+    /// The light of a flat picture at a place on the sheet, or of a frame's pixel (x, y).
+    Colour shown(int picture, Vec2 place, int x, int y) const
+    {
+        if (pictures[picture].is_frame)
+            return light[picture](x, y);
+        const Vec2 pixel = pixel_from_film(film, place);
+        if (pictures[picture].fit.is_in_bar({pixel.x / film.width, pixel.y / film.height}))
+            return Colour{0, 0, 0, 1};
+        const Film& window = windows[picture];
+        const Vec2 at = pixel_from_film(window, place);
+        Colour c = between(at.x - 0.5, at.y - 0.5, window.width, window.height,
+                           [&](int i, int j) { return light[picture](i, j); });
+        c.a = 1; // a flat picture stands on black
+        return c;
+    }
+
+    /// The light of the ray through a film point, which lies in film pixel (x, y).
+    Colour at(Vec2 film_point, int x, int y) const
+    {
+        const auto seen = eye_place(optics, eyes, film_point);
+        if (!seen)
+            return Colour{0, 0, 0, 0};
+        const PictureMix mix = shares.at(axis == ZoneAxis::upwards ? seen->eye.y : seen->eye.x);
+        const Colour first = shown(order[mix.first], seen->place, x, y);
+        if (!(mix.part > 0) || order[mix.first] == order[mix.second])
+            return first;
+        Colour sum{0, 0, 0, 0};
+        add(sum, float(1 - mix.part), first);
+        add(sum, float(mix.part), shown(order[mix.second], seen->place, x, y));
+        return sum;
+    }
+
+    Film film;
+    EyeGrid eyes;
+    SheetOptics optics;
+    const std::vector<SharedPicture>& pictures;
+    std::vector<int> order;
+    ZoneShares shares;
+    ZoneAxis axis;
+    std::vector<LinearReader> light;
+    std::vector<Film> windows; ///< for each flat picture, its pixels laid out over the sheet
+};
+
+FrameOfShares::FrameOfShares(const std::vector<SharedPicture>& pictures,
+                             const std::vector<int>& order, const FrameMetadata& geometry,
+                             const ZoneShares& shares, ZoneAxis axis)
+    : state_(std::make_unique<State>(pictures, order, geometry, shares, axis))
+{
+}
+FrameOfShares::~FrameOfShares() = default;
+
+bool FrameOfShares::draw(int first, Image& band, int threads, const Progress& progress) const
+{
+    const State& s = *state_;
+    return draw_film(s.film, first, band, threads, progress,
+                     [&](Vec2 film_point, int x, int y) { return s.at(film_point, x, y); });
+}
+
+} // namespace integral

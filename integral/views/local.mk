@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+# Sources of integral/views: one line per file, headers too.
+
+build_lib_libintegral_a_SOURCES += \
+  integral/views/flip.cpp \
+  integral/views/flip.h \
+  integral/views/frame_of_shares.cpp \
+  integral/views/frame_of_shares.h \
+  integral/views/frame_of_views.cpp \
+  integral/views/frame_of_views.h \
+  integral/views/parallel_views.cpp \
+  integral/views/parallel_views.h \
+  integral/views/perspective_views.cpp \
+  integral/views/perspective_views.h \
+  integral/views/quilt.cpp \
+  integral/views/quilt.h \
+  integral/views/rgbd.cpp \
+  integral/views/rgbd.h \
+  integral/views/view_export.cpp \
+  integral/views/view_export.h \
+  integral/views/view_files.cpp \
+  integral/views/view_files.h \
+  integral/views/view_input.cpp \
+  integral/views/view_input.h \
+  integral/views/view_lenses.cpp \
+  integral/views/view_lenses.h \
+  integral/views/views_loss.cpp \
+  integral/views/zone_view.cpp \
+  integral/views/zone_view.h \
+  integral/views/zone_view_text.cpp

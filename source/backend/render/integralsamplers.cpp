@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+
+// frame.h must be the first POV-Ray file included (pulls in platform config)
+#include "backend/frame.h"
+#include "backend/render/integralsamplers.h"
+#include "backend/scene/integralcamera.h"
+
+#include <algorithm>
+
+// this must be the last file included
+#include "base/povdebug.h"
+
+namespace pov
+{
+
+std::optional<IntegralFirstSamples::Pixel> IntegralFirstSamples::Trace(int x, int y)
+{
+    const IntegralView& view = tracer.View();
+    if (y != run_y || x < run_x || x >= run_x + integral::run_length)
+    {
+        run_x = x;
+        run_y = y;
+        const integral::Vec2 centre{x + 0.5, y + 0.5};
+        integral::map_pixel_run(*view.optics, centre, run);
+        view.sampler->first_samples(centre, run.mapped, same_pattern, samples);
+    }
+    const integral::MappedPoint& mapped = run.mapped[x - run_x];
+    const integral::PixelOutcome outcome = integral::outcome_of(mapped);
+    tracer.Count(outcome, outcome.imaged);
+    if (!mapped.ray)
+        return std::nullopt;
+    const integral::BeamRay& ray = samples[x - run_x];
+    tracer.Begin_Sample(x, y, 0);
+    return Pixel{outcome.lens, integral::pole_beam(*mapped.ray), {tracer.Trace(ray), ray}};
+}
+
+void IntegralBeam::Begin(int at_x, int at_y, bool same_pattern,
+                         const integral::LightFieldImage& image)
+{
+    const IntegralView& view = tracer.View();
+    x = at_x;
+    y = at_y;
+    std::optional<integral::LensIndex> around;
+    if (view.optics->film.subpixels == integral::Subpixels::none)
+        around = image.lens_around(x, y);
+    beam = view.sampler->beam({x + 0.5, y + 0.5}, same_pattern, image.depth(x, y), around);
+    run_begin = run_end = 0;
+    light = IntegralLight();
+}
+
+/// Sets `rays` to the rays of a sample: one for each channel; none if another lens images it.
+void IntegralBeam::Append_Rays(std::uint32_t index, int number)
+{
+    const integral::PixelSampler& sampler = *tracer.View().sampler;
+    rays.clear();
+    if (beam.number != 1)
+        return sampler.append_sample(beam, index, rays);
+    if (index < run_begin || index >= run_end)
+    {
+        number = std::min(number, integral::run_length);
+        sampler.samples(beam.channels[0], index, number, run);
+        run_begin = index;
+        run_end = index + number;
+    }
+    if (const auto& ray = run[index - run_begin])
+        rays.push_back({*ray, 1, beam.channels[0].channel});
+}
+
+/// Traces the rays of one sample, and adds their light to `sum` if that is not null. There is at
+/// least one ray.
+static IntegralSample Trace_Rays(IntegralTracer& tracer,
+                                 const std::vector<integral::PixelRay>& rays, IntegralLight *sum)
+{
+    IntegralSample sample;
+    IntegralLight light;
+    for (const integral::PixelRay& ray : rays)
+    {
+        sample = {tracer.Trace(ray.ray), ray.ray};
+        light.Add(ray, sample.hit.light);
+        if (sum)
+            sum->Add(ray, sample.hit.light);
+    }
+    if (rays.size() > 1 || rays[0].channel != integral::PixelRay::all_channels)
+        sample.hit.light = light.Mean(2);
+    return sample;
+}
+
+std::optional<IntegralSample> IntegralBeam::Trace(std::uint32_t index, int number)
+{
+    Append_Rays(index, number);
+    tracer.Count({}, rays.size());
+    if (rays.empty())
+        return std::nullopt;
+    tracer.Begin_Sample(x, y, index);
+    return Trace_Rays(tracer, rays, &light);
+}
+
+Colour Trace_Integral_Reference(IntegralTracer& tracer, int x, int y, std::uint64_t set,
+                                std::uint32_t index, std::vector<integral::PixelRay>& rays)
+{
+    rays.clear();
+    tracer.Begin_Reference(x, y, set, index);
+    if (tracer.View().sampler->append_reference_ray({x + 0.5, y + 0.5}, set, index, rays))
+        return Trace_Rays(tracer, rays, NULL).hit.light;
+    return IntegralPixel::Without_Light().colour;
+}
+
+}
