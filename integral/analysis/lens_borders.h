@@ -9,11 +9,11 @@
 
 namespace integral {
 
-/// Points (mm, sheet frame) spread over the borders of the micro-images within `half` (mm, each way
-/// from the sheet's centre), as the optics give them: the places along the rows and the columns of
-/// a raster of `step` (mm) where film points begin to belong to another lens. A dark gap between
-/// lenses gives its middle if it is narrower than `step`, else both its sides. At most about `most`
-/// points. step > 0.
+/// Points (mm, sheet frame) on the borders of the micro-images, within `half` (mm) of the sheet's
+/// centre each way, computed from the optics. Lines along rows and columns are followed in steps of
+/// `step` (mm, > 0), as far from each other as gives about `most` points. Where the lens changes
+/// between two steps, the exact place is found. A dark gap between lenses gives its middle if it is
+/// narrower than `step`, else both its sides.
 std::vector<Vec2> lens_borders(const SheetOptics& optics, LensMapping mapping, Vec2 half,
                                double step, int most, int threads);
 

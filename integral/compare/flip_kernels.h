@@ -58,7 +58,8 @@ private:
     float greatest_ = 0;
 };
 
-/// Conversion between linear sRGB and CIE XYZ relative to white: rows R, G, B and X, Y, Z.
+/// Matrices between linear sRGB and CIE XYZ relative to white. relative_from_rgb has the rows X, Y,
+/// Z; its inverse, rgb_from_relative, has R, G, B.
 struct FlipMatrices {
     double relative_from_rgb[3][3], rgb_from_relative[3][3];
 };

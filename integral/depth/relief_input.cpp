@@ -39,7 +39,8 @@ const DepthView& view_number(const ViewSet& views, std::size_t k)
     return k == 0 ? views.middle : views.others[k - 1];
 }
 
-/// The views for measuring the depth of view `middle`, which becomes the middle view; softened.
+/// The views for measuring the depth of view number `middle`: this view becomes the set's middle
+/// view, the views that `quality` does not use are left out, and all are softened (soften).
 ViewSet seen_from(const ViewSet& views, std::size_t middle, DepthQuality quality, int threads)
 {
     ViewSet set;

@@ -44,7 +44,7 @@ struct ReliefInput {
 /// are equal steps of parallax. Maps other than depth frames cover the rectangle of the views and
 /// give depth for the middle view alone; depth frames and measured depth also give it for the
 /// outermost eyes. Throws as read_depth_input does, and std::invalid_argument if the depth_file
-/// does not fit or mm are not known.
+/// does not fit, or if the views have no record of their eyes: then their scale in mm is unknown.
 ReliefInput read_relief(const std::vector<std::string>& inputs, const ReliefRequest& request,
                         int threads, const Progress& progress);
 

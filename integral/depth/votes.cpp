@@ -48,7 +48,8 @@ PixelRange range_after(const Shift& shift, int size)
 
 bool is_in_cross(Vec2 shift) { return std::min(std::fabs(shift.x), std::fabs(shift.y)) < 0.51; }
 
-/// Sums of votes and numbers of votes for one row, over all views and over four halves of them.
+/// Sums of votes and numbers of votes for one row, over all views, and over the views
+/// on each of the four sides of the middle one (is_in_half).
 struct Votes::Sums {
     static constexpr int kinds = 5;
     explicit Sums(int width) : between(3 * std::size_t(width))

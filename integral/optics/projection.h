@@ -61,8 +61,9 @@ private:
 };
 
 /// The line, in the image frame and directed into the scene, of the light that leaves the sheet's
-/// plane at `sheet_point` (sheet frame) and meets the lens at `lens_point`. All light of a sheet
-/// point comes together in the point's image: the origin, in the image's plane. direction.z = 1.
+/// plane at `sheet_point` (sheet frame) and meets the lens at `lens_point`. The line's
+/// origin is the image of the sheet point by the lens at `lens_point`, where all light of the sheet
+/// point through that lens meets, in the image's plane. direction.z = 1.
 inline Line projected(const ProjectionLens& lens, Vec2 sheet_point, Vec2 lens_point)
 {
     const Vec2 middle = lens.middle_at(lens_point), from = sheet_point - middle,

@@ -23,7 +23,8 @@ struct Slit {
     double distance; ///< d, mm
 };
 
-/// e.A of a slit at `height`, whose sign is that of y (horizontal slit) or x (vertical).
+/// e.A for the points A of the slit at `height`, mm: their y if the slit is horizontal, their x if
+/// it is vertical.
 inline double signed_height(const Slit& slit, double height)
 {
     return slit.normal.x + slit.normal.y < 0 ? -height : height;

@@ -169,7 +169,8 @@ private:
         double way;
     };
 
-    /// The movement to one view, less than `reach` from the expected one; empty if none matches.
+    /// The movement, in pixels, of the detail at (x, y) to the view `to`. It is sought less than
+    /// `reach` pixels from `expected`. Empty if no movement matches.
     std::optional<double> movement_to(const std::vector<float>& to, int x, int y, int expected,
                                       int reach, double texture) const
     {

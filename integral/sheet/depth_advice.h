@@ -54,9 +54,9 @@ struct DepthAdvice {
 DepthFrame as_scene_eye_sees(const DepthFrame& frame);
 
 /// Advice for a frame that shows surfaces, from its eye_distances if it has them. `budget`: mm on
-/// either side of the sheet, > 0. The dpi is the lowest of common printers with a sharp share of
-/// 95% or, if less, the share now plus 9/10 of the gain at the highest dpi; empty if the gain is
-/// below 0.01.
+/// either side of the sheet, > 0. The dpi is the lowest common printer resolution, finer than the
+/// film's, at which the sharp share reaches a target: 95%, or the present share plus 9/10 of what
+/// the highest resolution gains, if that is less. Empty if that resolution gains less than 0.01.
 DepthAdvice depth_advice(const DepthFrame& frame, double budget);
 
 } // namespace integral

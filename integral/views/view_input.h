@@ -46,7 +46,8 @@ struct ViewsRequest {
 /// long as wide.
 ViewInput read_given_views(const std::vector<std::string>& inputs, const ViewsRequest& request);
 
-/// Reverses each row of a grid of directions, in which the views stand from right to left.
+/// Puts views that are in order from right to left into order from left to right: reverses each row
+/// of their grid.
 void turn_right_to_left(std::vector<Image>& views, ViewGrid directions);
 
 /// A sentence on how the views were fitted to a target (picture_fit.h).

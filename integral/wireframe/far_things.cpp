@@ -105,9 +105,10 @@ bool LensDrawing::may_be_seen(int from, int to, float nearest) const
 
 /// Bound on the deviation (pixels) of a triangle's film points from a straight triangle, divided by
 /// the square of the triangle's extent in pixels. It holds for extents up to most_extent, anywhere
-/// in the raster. Derived like the bound in box_of: a film point at the distance q from the pole
-/// has the slope s = n q / sqrt(t^2 - m q^2), whose derivative by q is at most n t^2 / (t^2 - m
-/// q^2)^(3/2).
+/// in the raster. Derived like the bound in box_of, with the extent in slopes bounded by the
+/// extent in pixels: a film point at the distance q from the pole has the slope
+/// s = n q / sqrt(t^2 - m q^2), which grows by n t^2 / (t^2 - m q^2)^(3/2) per mm, most at the
+/// raster's farthest q.
 double LensDrawing::bulge_by_pixel() const
 {
     const Medium& medium = request_.optics.medium();

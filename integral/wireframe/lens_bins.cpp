@@ -16,8 +16,8 @@ LensReach::LensReach(const SheetOptics& optics, const LensRange& window, double 
                     std::min(0.5 * aperture.height, unlimited)};
     const auto extent = [&](Vec2 v) { return std::fabs(v.x) * half.x + std::fabs(v.y) * half.y; };
     half_aperture_ = {extent(lattice.across()), extent(lattice.along())};
-    // A lens shows things next to it, wherever the aperture is. It also shows whole pixels, and a
-    // pixel's edges may see just outside the aperture.
+    // The first two terms: points next to a lens are seen through it, wherever the aperture is. The
+    // tenth of a pitch: a pixel is drawn whole, and its edges may see past the aperture's edge.
     reach_ = cell_circumradius(optics.sheet()) + pictures_reach + 0.1 * lattice.pitch();
 }
 

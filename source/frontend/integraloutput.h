@@ -20,8 +20,8 @@ namespace pov_frontend
 
 /// Writes `image` to a temporary file in the folder of `file` and renames it to `file`, so that an
 /// old file stays until the new picture is complete. Standard output, devices and pipes are written
-/// directly. A quilt's name gets the suffix that states its views, also in `file`. Throws
-/// pov_base::Exception with a one-sentence message on failure; no temporary file is left then.
+/// directly. For a quilt, the suffix that states its views is added to the name, and `file` is set
+/// to the new name. Throws pov_base::Exception with a one-sentence message on failure; no temporary file is left then.
 void Write_Whole_Picture(pov_base::UCS2String& file, unsigned int file_type,
                          pov_base::Image::ImageFileType format, const pov_base::Image& image,
                          const pov_base::Image::WriteOptions& options);

@@ -143,8 +143,8 @@ private:
             Filter(block);
         if (IntegralAudit *const audit = view.GetCamera().Integral_View->audit.get())
             audit->Note(To_Rect(block), pixels, Squared_Errors(block));
-        // A block without rows that count is never marked final, so that +C may be used with other
-        // rows.
+        // A block outside the requested rows is rendered for its neighbours alone. It is never marked
+        // final: a later +C that requests its rows must render it.
         view.CompletedRectangle(To_Rect(block), serial, pixels, 1,
                                 options.final && Rows().Meet(block.top, block.bottom),
                                 1 - sampling.Progress(block));

@@ -27,9 +27,9 @@ namespace
 
 constexpr double usual_share = 0.002, picture_share = 0.05;
 
-// Unless a share of the pixels is requested, an audit takes part_of_rays times the frame's rays. It examines
-// at least least_pixels, or half as many if expected errors are known, and at most most_pixels or usual_share
-// of the lit pixels, whichever is more.
+// Unless a share of the pixels is requested, an audit takes part_of_rays times the frame's rays. The
+// lower limit of its pixels is least_pixels, and half of that if expected errors are known. The upper limit is
+// the greater of most_pixels and usual_share of the lit pixels.
 constexpr double part_of_rays = 0.05;
 constexpr double least_pixels = 150, most_pixels = 1000;
 
