@@ -10,7 +10,8 @@ void declare(options::options_description& all, SeriesOptions& series)
 {
     add(all, "fps", series.fps, "N", "pictures a second of an animation, 0.1 to 100 (default: 25)");
     add(all, "quality", series.quality, "N (=90)",
-        "of an animation's or a pair's pictures, 0 to 100; 100 of .webp keeps every 8-bit value");
+        "of an animation's pictures, 0 to 100, or a pair's (95 by itself); 100 of .webp keeps every "
+        "8-bit value");
 }
 
 void check_series_options(const SeriesOptions& given, const std::string& output)
