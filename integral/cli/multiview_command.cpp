@@ -93,7 +93,7 @@ see of each beside the scene's own perspective picture.
 FOLDER gets the frames integral.png, parallel.png, converging.png, infinity.png;
 seen.png, rows of what five eyes see of the scene itself and of these, in this
 order; and moire.png, a flat field that even views show white and odd ones black,
-from the border of two views. Arguments of povray-integral that follow the scene hold
+from the border of two views. Words of povray-integral that follow the scene hold
 for all pictures; the scene's camera, or Integral_Camera=, has to be integral.
 )",
     1,
