@@ -34,8 +34,8 @@ ScanMap fit_borders(const Plane& edges, const std::vector<Vec2>& points, const L
 /// Fits like fit_borders, with the ratio of both scales fixed.
 ScanMap fit_borders_with_ratio(const Plane& edges, const std::vector<Vec2>& points, ScanMap map);
 
-/// The points in those of 16 x 16 parts of the film in which borders show under this map; parts
-/// with blank paper or uniform areas of the picture are left out.
+/// Divides the film into 16 x 16 parts, and returns the points in the parts where borders show
+/// under this map. Parts with blank paper or uniform areas of the picture are left out.
 std::vector<Vec2> where_borders_show(const Plane& edges, const std::vector<Vec2>& points,
                                      const LensSheet& sheet, const ScanMap& map);
 

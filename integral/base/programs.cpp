@@ -24,13 +24,19 @@ std::optional<std::string> program_on_path(const std::string& name)
     return std::nullopt;
 }
 
-StartedProgram start_program(const std::vector<std::string>& words, int input, int output,
-                             int errors)
+std::vector<char*> exec_arguments(const std::vector<std::string>& words)
 {
     std::vector<char*> arguments;
     for (const std::string& word : words)
         arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
+    return arguments;
+}
+
+StartedProgram start_program(const std::vector<std::string>& words, int input, int output,
+                             int errors)
+{
+    const std::vector<char*> arguments = exec_arguments(words);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     int number = 0;
@@ -53,7 +59,7 @@ StartedProgram start_program(const std::vector<std::string>& words, int input, i
 
 int wait_for_program(pid_t process)
 {
-    int status = 0;
+    int status = -1;
     while (waitpid(process, &status, 0) < 0 && errno == EINTR)
         ;
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -19,13 +19,17 @@ struct StartedProgram {
     int error = 0;      ///< errno otherwise
 };
 
+/// A program's words as the functions of exec take them. They point into `words`, and a null
+/// pointer follows them.
+std::vector<char*> exec_arguments(const std::vector<std::string>& words);
+
 /// Starts the program of the first word (a path, or a name to find on PATH). Its standard input,
 /// output and error are the given file descriptors, or /dev/null for -1.
 StartedProgram start_program(const std::vector<std::string>& words, int input = -1, int output = -1,
                              int errors = -1);
 
-/// Waits for a process to end. Returns its exit status, or 128 + the signal's number if a signal
-/// ended it.
+/// Waits for a process to end. Returns its exit status, or 128 + the number of the signal that ended
+/// it, or 255 if the status is not available.
 int wait_for_program(pid_t process);
 
 } // namespace integral

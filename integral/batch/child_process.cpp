@@ -4,6 +4,7 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/interrupt.h"
 #include "integral/base/memory.h"
+#include "integral/base/programs.h"
 
 #include <cerrno>
 #include <chrono>
@@ -21,10 +22,7 @@ namespace integral {
 ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::string& folder,
                            const std::string& log)
 {
-    std::vector<char*> arguments;
-    for (const std::string& word : words)
-        arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
+    const std::vector<char*> arguments = exec_arguments(words);
     const int said = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666),
               nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
     const pid_t parent = getpid();
@@ -60,8 +58,7 @@ ChildProcess::~ChildProcess()
 {
     if (process_ > 0) {
         kill(process_, SIGKILL);
-        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR)
-            ;
+        wait_for_program(process_);
     }
 }
 

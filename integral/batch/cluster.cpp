@@ -98,7 +98,7 @@ private:
     }
 
     /// The shell commands of each task. They run this program with the words of the task's line in
-    /// `list`: an option and its value, if any, neither of which contains blanks.
+    /// `list`: an option, and its value if any, without blanks.
     std::string commands_for(const std::string& list) const
     {
         const std::string program = std::filesystem::read_symlink("/proc/self/exe");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/renderer.h"
 
+#include "integral/base/programs.h"
 #include "integral/batch/renderer_options.h"
 
 #include <algorithm>
@@ -45,11 +46,9 @@ std::string renderer_program()
 void become_renderer(const std::vector<std::string>& words)
 {
     const std::string program = renderer_program();
-    std::vector<char*> line = {const_cast<char*>(program.c_str())};
-    for (const std::string& word : words)
-        line.push_back(const_cast<char*>(word.c_str()));
-    line.push_back(nullptr);
-    execvp(program.c_str(), line.data());
+    std::vector<std::string> line = {program};
+    line.insert(line.end(), words.begin(), words.end());
+    execvp(program.c_str(), exec_arguments(line).data());
     throw no_renderer(program + ": " + std::strerror(errno));
 }
 

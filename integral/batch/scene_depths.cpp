@@ -33,7 +33,7 @@ int draft_of_few_pixels(const Film& film, double lens_pitch)
     return std::min(best, most_draft);
 }
 
-/// The film of the print of which this is a draft. Its size is exact to half a draft pixel.
+/// Film of the print, from its draft. Its size is exact to half a draft pixel.
 Film print_film(const FrameMetadata& metadata)
 {
     Film film = metadata.film;

@@ -175,7 +175,7 @@ private:
     }
 
     /// Predicts the clock seconds of the whole frame's audit, assuming that it examines 0.5% of the
-    /// lit pixels (those with rays), or as many as in the first band if that is more.
+    /// lit pixels (those with rays), but not fewer than in the first band.
     double audit_of_frame(const std::vector<ErrorEstimate>& errors, double seconds,
                           double rows) const
     {

@@ -24,7 +24,7 @@ struct UprightMap {
 };
 
 /// Resamples the map of a set's middle view on a rectangle of `width_mm` x `height_mm` about the
-/// sheet's centre, with `columns` pixels across (0: about as many as the view has). Interpolates
+/// sheet's centre, with `columns` pixels across (0: about the view's number). Interpolates
 /// depth linearly within a surface and takes the nearest pixel's across a step.
 UprightMap upright_map(const ViewSet& views, const DepthMap& map, double width_mm, double height_mm,
                        int columns);

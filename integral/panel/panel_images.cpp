@@ -94,7 +94,7 @@ Image mirrored(const Image& image, bool in_x, bool in_y)
 
 bool nearly_equal(double a, double b) { return a == b || std::fabs(a - b) <= 0.01 * b; }
 
-/// Returns `eyes`, those of a frame's views, if the panel is as large as that frame's film.
+/// Returns `eyes`, which are from a frame's views, if the panel is as large as the frame's film.
 /// Otherwise nothing: a smaller or larger panel spreads the views over its own zone, as it spreads
 /// their pictures over its pixels.
 std::optional<EyeGrid> eyes_before(const Film& panel, const FrameMetadata& frame, EyeGrid eyes)

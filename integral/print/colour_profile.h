@@ -15,7 +15,7 @@ enum class Intent { perceptual, relative, saturation, absolute };
 /// The profile of sRGB: the bytes of an ICC file, the same in every run.
 std::string srgb_profile();
 
-/// Converts colours from sRGB to those of an RGB device.
+/// Converts sRGB colours to the colours of an RGB device.
 class ProfileTransform {
 public:
     /// `profile`: the bytes of the device's ICC file. `bits`: 8 or 16, of the pictures' samples.

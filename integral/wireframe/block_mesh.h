@@ -23,7 +23,7 @@ template <std::size_t corners> struct FarThing {
 /// sorted from front to back by the nearest vertices, because what is drawn first hides most of
 /// what is drawn later.
 struct BlockMesh {
-    Mesh mesh; ///< lines: those of the whole mesh, then the faces' edges
+    Mesh mesh; ///< lines: the whole mesh's, then the faces' edges
     /// The lenses that may image each of its points, lines and triangles.
     std::array<std::vector<LensRange>, 3> ranges;
 

@@ -22,8 +22,8 @@ LensReach::LensReach(const SheetOptics& optics, const LensRange& window, double 
 }
 
 /// A line from a scene point S to a point A of the aperture crosses the sheet at S + (A - S) z/(z -
-/// eye). If the points S fill a convex set on one side of the eye, the extreme crossing points are
-/// those of the set's corners.
+/// eye). If the points S fill a convex set on one side of the eye, lines from the set's corners
+/// have the extreme crossing points.
 LensRange LensReach::of(const Vec3* points, std::size_t count) const
 {
     const Lattice& lattice = optics_.lattice();

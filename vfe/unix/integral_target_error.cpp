@@ -9,6 +9,8 @@
 #include <unistd.h>
 #include <vector>
 
+#include "integral/base/programs.h"
+
 namespace vfePlatform
 {
 namespace
@@ -81,11 +83,7 @@ void RenderToTargetError(char **argv)
     std::vector<std::string> words = {Tools(), "tune", "--target-error=" + target, "--render", "--",
                                       scene};
     words.insert(words.end(), others.begin(), others.end());
-    std::vector<char *> line;
-    for (std::string& word : words)
-        line.push_back(&word[0]);
-    line.push_back(NULL);
-    execvp(line[0], line.data());
+    execvp(words[0].c_str(), integral::exec_arguments(words).data());
     std::fprintf(stderr, "Integral_Target_Error=%s: the program integral, which looks for the "
                          "settings, is not here; install it (Debian: integral-imaging), or render "
                          "with +A0.1 +AM2 +R5\n", target.c_str());

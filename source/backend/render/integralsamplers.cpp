@@ -66,25 +66,6 @@ void IntegralBeam::Append_Rays(std::uint32_t index, int number)
         rays.push_back({*ray, 1, beam.channels[0].channel});
 }
 
-/// Traces the rays of one sample, and adds their light to `sum` if that is not null. There is at
-/// least one ray.
-static IntegralSample Trace_Rays(IntegralTracer& tracer,
-                                 const std::vector<integral::PixelRay>& rays, IntegralLight *sum)
-{
-    IntegralSample sample;
-    IntegralLight light;
-    for (const integral::PixelRay& ray : rays)
-    {
-        sample = {tracer.Trace(ray.ray), ray.ray};
-        light.Add(ray, sample.hit.light);
-        if (sum)
-            sum->Add(ray, sample.hit.light);
-    }
-    if (rays.size() > 1 || rays[0].channel != integral::PixelRay::all_channels)
-        sample.hit.light = light.Mean(2);
-    return sample;
-}
-
 std::optional<IntegralSample> IntegralBeam::Trace(std::uint32_t index, int number)
 {
     Append_Rays(index, number);
@@ -92,7 +73,10 @@ std::optional<IntegralSample> IntegralBeam::Trace(std::uint32_t index, int numbe
     if (rays.empty())
         return std::nullopt;
     tracer.Begin_Sample(x, y, index);
-    return Trace_Rays(tracer, rays, &light);
+    IntegralLight of_sample;
+    const IntegralHit hit = tracer.Trace(rays, of_sample);
+    light.Add(of_sample);
+    return IntegralSample{hit, rays.back().ray};
 }
 
 Colour Trace_Integral_Reference(IntegralTracer& tracer, int x, int y, std::uint64_t set,
@@ -100,9 +84,10 @@ Colour Trace_Integral_Reference(IntegralTracer& tracer, int x, int y, std::uint6
 {
     rays.clear();
     tracer.Begin_Reference(x, y, set, index);
-    if (tracer.View().sampler->append_reference_ray({x + 0.5, y + 0.5}, set, index, rays))
-        return Trace_Rays(tracer, rays, NULL).hit.light;
-    return IntegralPixel::Without_Light().colour;
+    IntegralLight light;
+    return tracer.View().sampler->append_reference_ray({x + 0.5, y + 0.5}, set, index, rays)
+               ? tracer.Trace(rays, light).light
+               : IntegralPixel::Without_Light().colour;
 }
 
 }

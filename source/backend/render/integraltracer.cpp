@@ -114,6 +114,20 @@ IntegralHit IntegralTracer::Trace(const integral::BeamRay& ray, bool pretrace)
     return Trace(integral::sight_line(*view->optics, ray), pretrace);
 }
 
+IntegralHit IntegralTracer::Trace(const std::vector<integral::PixelRay>& rays, IntegralLight& light,
+                                  bool pretrace)
+{
+    IntegralHit hit;
+    for (const integral::PixelRay& ray : rays)
+    {
+        hit = Trace(ray.ray, pretrace);
+        light.Add(ray, hit.light);
+    }
+    if (rays.size() > 1 || rays[0].channel != integral::PixelRay::all_channels)
+        hit.light = light.Mean(2);
+    return hit;
+}
+
 IntegralPixel IntegralTracer::Trace_Pixel(DBL x, DBL y, bool pretrace)
 {
     if (area_lights) // radiosity's first pass, which is not a part of the frame
@@ -190,19 +204,11 @@ IntegralPixel IntegralTracer::Trace_Samples(DBL x, DBL y, bool pretrace)
         Count(outcome, rays.size());
     if (rays.empty())
         return Pixel_Of({}, outcome.lens);
-    if (rays.size() == 1 && rays[0].channel == integral::PixelRay::all_channels)
-        return Pixel_Of(Trace(rays[0].ray, pretrace), outcome.lens);
     IntegralLight light;
-    double depth = HUGE_VAL;
-    for (const integral::PixelRay& ray : rays)
-    {
-        const IntegralHit hit = Trace(ray.ray, pretrace);
-        light.Add(ray, hit.light);
-        depth = hit.depth;
-    }
+    const IntegralHit hit = Trace(rays, light, pretrace);
     if (!pretrace && view->error.by_halves)
         Count_Error(y, light);
-    return {light.Mean(2), outcome.lens, depth};
+    return Pixel_Of(hit, outcome.lens);
 }
 
 void IntegralTracer::Count_Error(DBL y, const IntegralLight& light)
@@ -250,6 +256,19 @@ void IntegralLight::Add(const integral::PixelRay& ray, const Colour& seen)
     rays[ray.half]++;
     sums[ray.half][channel] += seen * ray.weight;
     weights[ray.half][channel] += ray.weight;
+}
+
+void IntegralLight::Add(const IntegralLight& other)
+{
+    for (int half = 0; half < 2; half++)
+    {
+        rays[half] += other.rays[half];
+        for (int channel = 0; channel < 4; channel++)
+        {
+            sums[half][channel] += other.sums[half][channel];
+            weights[half][channel] += other.weights[half][channel];
+        }
+    }
 }
 
 Colour IntegralLight::Mean(int half) const

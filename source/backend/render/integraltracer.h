@@ -63,6 +63,7 @@ class IntegralLight
 {
 public:
     void Add(const integral::PixelRay& ray, const Colour& seen);
+    void Add(const IntegralLight& other);
     /// The mean of one half (0 or 1), or of both halves (2).
     Colour Mean(int half) const;
     /// The number of rays in a half.
@@ -105,6 +106,10 @@ public:
     /// Traces one ray.
     IntegralHit Trace(const integral::SightLine& line, bool pretrace = false);
     IntegralHit Trace(const integral::BeamRay& ray, bool pretrace = false);
+    /// Traces the rays, at least one, of one pixel or sample, and adds their light to `light`, which
+    /// is empty. Returns their mean light, and the surface that the last of them met.
+    IntegralHit Trace(const std::vector<integral::PixelRay>& rays, IntegralLight& light,
+                      bool pretrace = false);
 
     /// The record of a ray and its hit for reconstruction.
     integral::BeamSamples::Seen Seen(const integral::BeamRay& ray, const IntegralHit& hit) const;
