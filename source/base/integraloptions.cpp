@@ -219,8 +219,7 @@ void Read_Quilt(const std::string& text, POVMS_Object& options, int height,
                                     std::to_string(width) + "x" + std::to_string(height) +
                                     " pixels has no room for so many views; give a larger +W and "
                                     "+H");
-    const char *const other = !result.depth_picture.empty()         ? "Integral_Depth_Image"
-                              : !result.error_picture.empty()       ? "Integral_Error_Image"
+    const char *const other = !result.error_picture.empty()         ? "Integral_Error_Image"
                               : options.Exist(kIntegralAttrib_Rows) ? "Integral_Rows"
                                                                     : nullptr;
     if (other)

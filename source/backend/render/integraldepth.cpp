@@ -40,6 +40,7 @@ IntegralDepth::IntegralDepth(const IntegralView& view, const std::string& file,
                              const std::vector<double>& distances)
     : optics(view.optics),
       sampler(view.sampler),
+      quilt(view.quilt),
       file(file),
       distances(distances.begin(), distances.end()),
       depths(std::size_t(optics->film.width) * optics->film.height,
@@ -59,10 +60,11 @@ void IntegralDepth::Find_Row(int row, Trace& trace)
     const TrueRayObjectCondition any;
     for (int x = 0; x < optics->film.width; x++)
     {
-        const auto pole = sampler->pole_ray({x + 0.5, row + 0.5});
-        if (!pole)
+        const integral::Vec2 centre{x + 0.5, row + 0.5};
+        const auto seen_along = quilt ? quilt->ray(centre) : sampler->pole_ray(centre);
+        if (!seen_along)
             continue;
-        const integral::SightLine line = integral::sight_line(*optics, *pole);
+        const integral::SightLine line = integral::sight_line(*optics, *seen_along);
         Ray ray;
         Make_Vector(ray.Origin, line.origin.x, line.origin.y, line.origin.z);
         Make_Vector(ray.Direction, line.direction.x, line.direction.y, line.direction.z);

@@ -11,6 +11,7 @@
 #include "backend/frame.h"
 #include "backend/render/integraltask.h"
 #include "integral/sampling/pixel_sampler.h"
+#include "integral/sampling/quilt_sampler.h"
 
 namespace pov
 {
@@ -18,9 +19,10 @@ namespace pov
 class Camera;
 struct IntegralView;
 
-/// The depth frame of one view: for each pixel, the depth of the first surface on the ray from the
-/// pixel's centre through its lens's pole. Depths are in mm from the sheet's plane, > 0 behind it;
-/// infinite if there is no surface; NaN if the pixel images nothing.
+/// The depth frame of a frame or a quilt: for each pixel, the depth of the first surface on the ray
+/// from the pixel's centre through its lens's pole or, in a quilt, to its view's eye. Depths are in
+/// mm from the sheet's plane, > 0 behind it; infinite if there is no surface; NaN if the pixel images
+/// nothing.
 class IntegralDepth
 {
 public:
@@ -40,6 +42,7 @@ public:
 private:
     std::shared_ptr<const integral::IntegralCamera> optics;
     std::shared_ptr<const integral::PixelSampler> sampler;
+    std::shared_ptr<const integral::QuiltSampler> quilt; ///< null: the picture is a frame
     std::string file;
     std::vector<float> distances;
     std::vector<float> depths;

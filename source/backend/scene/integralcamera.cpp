@@ -155,10 +155,12 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
             throw std::invalid_argument("Integral_Quilt and projection_lens do not go together: "
                                         "render the views without the lens");
         if (given.quilt)
-        {
             Start_Quilt(*view, *given.quilt, width, height);
+        if (!given.depth_picture.empty())
+            view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture,
+                                                          camera.Integral->distances);
+        if (given.quilt)
             return Begin(camera, view);
-        }
         view->rows = given.rows;
         view->seed = given.seed;
         // The two halves do not include anti-aliasing's samples and cannot make an error picture.
@@ -183,9 +185,6 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
             view->ambient_cells = std::make_shared<IntegralShadingCache>(
                 *view->optics, IntegralSharedAmbient::cells_in_beam,
                 IntegralSharedAmbient::cells_a_pixel);
-        if (!given.depth_picture.empty())
-            view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture,
-                                                          camera.Integral->distances);
         // Both halves contain the same noise of radiosity's points.
         if (given.audit && (!by_halves || view->error.radiosity))
             view->audit = std::make_shared<IntegralAudit>(*view, given.seed);
