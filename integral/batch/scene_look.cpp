@@ -12,17 +12,13 @@
 #include <cmath>
 
 namespace integral {
-namespace {
 
-/// The number of the coarsest draft with at least four pixels a lens, enough to judge depth.
 int draft_of_four_views(const FrameMetadata& print)
 {
     constexpr double least = 4, most_draft = 100; // of Integral_Draft=
     const LensRowGeometry across = counted(print);
     return int(std::clamp(std::floor(across.period / across.pixel / least), 1.0, most_draft));
 }
-
-} // namespace
 
 Image look_of_scene(const std::string& scene, const std::vector<std::string>& options,
                     const FrameMetadata& print, const std::string& fit, int longest,

@@ -11,6 +11,10 @@
 
 namespace integral {
 
+/// The number (Integral_Draft=) of the coarsest draft with at least four pixels a lens, which is
+/// enough to judge depth. 1 if the print itself has fewer.
+int draft_of_four_views(const FrameMetadata& print);
+
 /// Has povray-integral render a draft of a scene (names_scene) whose print has the geometry
 /// `print`, expands the draft to the print's pixels, and replays it for an eye in the middle. The
 /// result's longer side has `longest` pixels; the draft has at least four pixels a lens if the

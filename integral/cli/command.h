@@ -79,8 +79,8 @@ struct Command {
     bool laboratory = false; ///< of the optical laboratory; listed last by `help`
 };
 
-extern const Command sheet_command, replay_command, views_command, flip_command, print_command,
-    lcd_command, depth_command, compare_command, tune_command, batch_command, wireframe_command,
+extern const Command studio_command, sheet_command, replay_command, views_command, flip_command,
+    print_command, lcd_command, depth_command, compare_command, tune_command, batch_command, wireframe_command,
     rectify_command, mask_command, resolve_command, multiview_command;
 
 /// Every command, in the order of `integral help`.

@@ -43,6 +43,7 @@ build_bin_integral_SOURCES += \
   integral/cli/series_options.cpp \
   integral/cli/series_options.h \
   integral/cli/sheet_command.cpp \
+  integral/cli/studio_command.cpp \
   integral/cli/thread_options.cpp \
   integral/cli/thread_options.h \
   integral/cli/tune_command.cpp \

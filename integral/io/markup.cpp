@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <stdexcept>
 
 namespace integral {
 namespace {
@@ -89,6 +90,21 @@ std::string base64(const std::string& bytes)
             text += k <= count ? digits[three >> (18 - 6 * k) & 63] : '=';
     }
     return text;
+}
+
+std::string filled_template(const std::string& page, const TemplatePieces& pieces)
+{
+    std::string text;
+    std::size_t done = 0;
+    for (const auto& [name, piece] : pieces) {
+        const std::string mark = "@" + name + "@";
+        const auto at = page.find(mark, done);
+        if (at == std::string::npos)
+            throw std::logic_error("the page has no " + mark);
+        text += page.substr(done, at - done) + piece;
+        done = at + mark.size();
+    }
+    return text + page.substr(done);
 }
 
 } // namespace integral

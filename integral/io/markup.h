@@ -4,8 +4,17 @@
 #define INTEGRAL_IO_MARKUP_H
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace integral {
+
+/// Names and texts of the marks in a template.
+using TemplatePieces = std::vector<std::pair<std::string, std::string>>;
+
+/// The template with each mark "@NAME@" replaced by its piece. The marks must occur in the order of
+/// `pieces`. Throws std::logic_error if one is missing.
+std::string filled_template(const std::string& page, const TemplatePieces& pieces);
 
 /// A text escaped for HTML and XML, between tags or in a quoted attribute: & < > " ', tabs and line
 /// ends become character references. Bytes that are not UTF-8 and characters that XML 1.0 forbids

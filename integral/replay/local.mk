@@ -35,11 +35,8 @@ replay_page_files = \
 EXTRA_DIST += $(replay_page_files)
 CLEANFILES += build/generated/replay_page_text.h
 build/generated/replay_page_text.h: $(replay_page_files)
-	$(AM_V_GEN)$(MKDIR_P) build/generated && { \
-	  for file in $(replay_page_files); do \
-	    if test -f $$file; then path=$$file; else path=$(srcdir)/$$file; fi; \
-	    echo "const char `basename $$file | tr . _`[] = R\"page(" && cat $$path && echo ')page";' || exit 1; \
-	  done; } > $@.tmp && mv $@.tmp $@
+	$(AM_V_GEN)$(MKDIR_P) build/generated && $(srcdir)/unix/texts-as-strings $(replay_page_files:%=$(srcdir)/%) > $@.tmp && \
+	    mv $@.tmp $@
 integral/replay/replay_page.$(OBJEXT): build/generated/replay_page_text.h
 integral/replay/build_sanitized_libintegral_a-replay_page.$(OBJEXT): build/generated/replay_page_text.h
 integral/replay/suite_comparators.$(OBJEXT): build/generated/replay_page_text.h

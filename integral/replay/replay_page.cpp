@@ -38,25 +38,6 @@ Json start_of(const View& start, const FrameMetadata& metadata)
         {"zone", {zone.x, zone.y}}};
 }
 
-using Pieces = std::vector<std::pair<std::string, std::string>>;
-
-/// The template `page` with each mark "@NAME@" replaced by its piece. The marks must occur in the
-/// order of `pieces`.
-std::string filled_in(const std::string& page, const Pieces& pieces)
-{
-    std::string text;
-    std::size_t done = 0;
-    for (const auto& [name, piece] : pieces) {
-        const std::string mark = "@" + name + "@";
-        const auto at = page.find(mark, done);
-        if (at == std::string::npos)
-            throw std::logic_error("the page has no " + mark);
-        text += page.substr(done, at - done) + piece;
-        done = at + mark.size();
-    }
-    return text + page.substr(done);
-}
-
 /// A frame's picture as the page's scripts read it.
 std::string page_picture(const Frame& frame)
 {
@@ -71,7 +52,7 @@ std::string page_shell(bool with_comparison, const PageAdditions& additions)
     const auto mark = [](const char* name) {
         return std::pair<std::string, std::string>(name, std::string("@") + name + "@");
     };
-    return filled_in(replay_page_html,
+    return filled_template(replay_page_html,
                      {{"STYLE_NONCE", additions.nonce},
                       {"HEAD", additions.head},
                       mark("FRAME"),
@@ -85,7 +66,7 @@ std::string page_shell(bool with_comparison, const PageAdditions& additions)
                       {"END", additions.end}});
 }
 
-Pieces pieces_of(const Frame& frame, const std::string& comparison, const Json& start)
+TemplatePieces pieces_of(const Frame& frame, const std::string& comparison, const Json& start)
 {
     return {{"FRAME", page_picture(frame)},
             {"COMPARISON", comparison},
@@ -138,7 +119,7 @@ std::string replay_page(const Frame& frame, const View& start)
     const std::string obstacle = page_obstacle(frame);
     if (!obstacle.empty())
         throw std::invalid_argument("--html: " + obstacle);
-    return filled_in(page_shell(false, {}), pieces_of(frame, "", start_of(start, *frame.metadata)));
+    return filled_template(page_shell(false, {}), pieces_of(frame, "", start_of(start, *frame.metadata)));
 }
 
 ComparedPictures compared_pictures(const Frame& reference, const Frame& result,
@@ -160,7 +141,7 @@ ComparedPictures compared_pictures(const Frame& reference, const Frame& result,
 
 std::string comparison_shell(const PageAdditions& additions) { return page_shell(true, additions); }
 
-Pieces comparison_pieces(const ComparedPictures& pictures, bool keys_for_pages)
+TemplatePieces comparison_pieces(const ComparedPictures& pictures, bool keys_for_pages)
 {
     const Frame *first = pictures.reference ? pictures.reference : pictures.result,
                 *second = pictures.reference && pictures.result ? pictures.result : nullptr;
@@ -208,7 +189,7 @@ Pieces comparison_pieces(const ComparedPictures& pictures, bool keys_for_pages)
     }
     start["second_blur"] = second_view.blur;
     return pieces_of(*first,
-                     filled_in(comparison_part_html,
+                     filled_template(comparison_part_html,
                                {{"SECOND", page_picture(*second)},
                                 {"SECOND_GEOMETRY", json_within_html(to_json(*second->metadata))}}),
                      start);
@@ -216,7 +197,7 @@ Pieces comparison_pieces(const ComparedPictures& pictures, bool keys_for_pages)
 
 std::string comparison_page(const ComparedPictures& pictures, const PageAdditions& additions)
 {
-    return filled_in(comparison_shell(additions),
+    return filled_template(comparison_shell(additions),
                      comparison_pieces(pictures, additions.keys_for_pages));
 }
 

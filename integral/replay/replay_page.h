@@ -5,12 +5,11 @@
 #define INTEGRAL_REPLAY_REPLAY_PAGE_H
 
 #include "integral/compare/compare.h"
+#include "integral/io/markup.h"
 #include "integral/replay/replay.h"
 
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace integral {
 
@@ -56,7 +55,7 @@ std::string comparison_page(const ComparedPictures& pictures, const PageAddition
 /// comparisons share, in which each mark "@NAME@" stands for a piece of a comparison, and the
 /// pieces in the order of the marks.
 std::string comparison_shell(const PageAdditions& additions = {});
-std::vector<std::pair<std::string, std::string>> comparison_pieces(const ComparedPictures& pictures,
+TemplatePieces comparison_pieces(const ComparedPictures& pictures,
                                                                    bool keys_for_pages = false);
 
 } // namespace integral

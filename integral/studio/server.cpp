@@ -69,6 +69,23 @@ void set_sentence(httplib::Response& response, int status, const std::string& se
     response.set_content(sentence + "\n", "text/plain; charset=utf-8");
 }
 
+/// Answers with a stream of server-sent events. A comment in place of an event shows whether the
+/// page still reads.
+void set_events(httplib::Response& response,
+                const std::function<std::optional<std::string>()>& next_event)
+{
+    response.set_chunked_content_provider(
+        "text/event-stream", [next_event](std::size_t, httplib::DataSink& sink) {
+            const auto event = next_event();
+            if (!event) {
+                sink.done();
+                return true;
+            }
+            const std::string text = event->empty() ? ":\n\n" : "data: " + *event + "\n\n";
+            return sink.write(text.data(), text.size());
+        });
+}
+
 } // namespace
 
 struct Server::State {
@@ -105,13 +122,17 @@ struct Server::State {
         const std::string nonce = random_word(), path = request.path.substr(1 + token.size());
         set_headers(response, nonce);
         try {
-            const auto found = answer({is_post, path.empty() ? "/" : path, "/" + token, nonce});
+            const auto found = answer(
+                {is_post, path.empty() ? "/" : path, "/" + token, nonce, request.body});
             if (!found)
                 return set_sentence(response, 404, "There is no such page.");
             response.status = found->status;
             if (!found->location.empty())
                 response.set_header("Location", found->location);
-            response.set_content(found->body, found->type.c_str());
+            if (found->next_event)
+                set_events(response, found->next_event);
+            else
+                response.set_content(found->body, found->type.c_str());
         } catch (const std::exception& error) {
             set_sentence(response, 500, error.what());
         }

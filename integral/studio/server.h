@@ -16,6 +16,7 @@ struct ServerRequest {
     std::string path;     ///< below the token, decoded: "/", "/picture/3"
     std::string base;     ///< beginning of each link's path: "/TOKEN"
     std::string nonce;    ///< styles and scripts of the answer run only with this nonce
+    std::string body;     ///< of a POST; at most 1 MiB
 };
 
 struct ServerAnswer {
@@ -23,6 +24,11 @@ struct ServerAnswer {
     std::string body;
     std::string type = "text/html; charset=utf-8";
     std::string location = {}; ///< for status 303: the path of the next page
+    /// If set, the answer is a stream of server-sent events in place of `body`. Returns the data of
+    /// the next event, one line; waits for it at most a few seconds and then returns an empty text.
+    /// Returns nothing at the end of the stream. The function is destroyed when the page closes the
+    /// stream.
+    std::function<std::optional<std::string>()> next_event = {};
 };
 
 /// An HTTP server on the loopback interface. Its address contains a random token of 128 bits. A

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// integral studio: a page on which a scene is placed on a sheet.
+#include "integral/batch/renderer_options.h"
+#include "integral/cli/command.h"
+#include "integral/cli/values.h"
+#include "integral/studio/studio.h"
+
+#include <cstdio>
+
+namespace integral {
+namespace {
+
+struct StudioOptions : CommonOptions {
+    std::optional<int> port;
+    bool no_browser = false;
+};
+
+void declare(options::options_description& all, StudioOptions& o)
+{
+    add(all, "port", o.port, "PORT", "the port of the page (default: a free one)");
+    add(all, "no-browser", o.no_browser,
+        "print the page's address and do not open a browser");
+}
+
+int run(const StudioOptions& o)
+{
+    const std::string& scene = o.inputs.front();
+    if (!names_scene(scene))
+        throw UsageError(scene + ": it is no scene; give a .pov or .ini file");
+    const std::vector<std::string> words(o.inputs.begin() + 1, o.inputs.end());
+    SceneRenders renders(scene, words);
+    Studio studio(scene, words, renders);
+    Server server(o.port ? in_range("port", *o.port, 1, 65535) : 0,
+                  [&](const ServerRequest& request) { return studio.answer(request); });
+    std::printf("the studio is at %s (Ctrl+C ends it)\n", server.address().c_str());
+    std::fflush(stdout);
+    if (!o.no_browser)
+        open_in_browser(server.address());
+    server.run([&] {
+        renders.work();
+        if (interrupted())
+            renders.end();
+        return false;
+    });
+    return exit_done;
+}
+
+} // namespace
+
+const Command studio_command = {
+    "studio",
+    "a page on which a scene is placed on a sheet by dragging, live",
+    "SCENE [+W +H ...]",
+    R"(Opens a page in a browser on this machine and prints its address. The page shows the scene
+through a lens sheet: drag the sheet through the scene, change the parallax, choose sheet,
+print size, printer and viewing distance, move the eye, and see what is sharp, soft and beyond
+the depth budget. While nothing moves, povray-integral renders a draft of the print, and the
+page shows what an eye sees of it.
+
+What is found is saved as a settings file that povray-integral renders. Words after the scene
+are for povray-integral, as +W900 +H600, which set the picture's shape. The page notices when
+the scene's files change. Only this machine can reach the page. Ctrl+C ends the command.
+)",
+    1,
+    1000,
+    described<StudioOptions>,
+    run_with<StudioOptions, run>};
+
+} // namespace integral

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/studio/probe.h"
+
+#include "integral/base/json.h"
+#include "integral/base/number_text.h"
+#include "integral/batch/renderer_options.h"
+#include "integral/frame/geometry_json.h"
+#include "integral/frame/quilt_name.h"
+#include "integral/io/image_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral {
+namespace {
+
+constexpr double sheet_width = 100; // mm; any width serves, since the probe's sheet shows no lenses
+
+int height_of(const ProbeRequest& request)
+{
+    return std::max(1, int(std::lround(request.width / request.aspect)));
+}
+
+std::string picture_path(const ProbeRequest& request, const ScratchFolder& scratch)
+{
+    return quilt_name(scratch.path("probe.png"), request.grid, request.aspect);
+}
+
+std::string depth_path(const ScratchFolder& scratch) { return scratch.path("probe.exr"); }
+
+/// A camera with those views. Its lenses only have to let a wide aperture through.
+std::string camera_of(const ProbeRequest& request)
+{
+    const auto number = [](double value) { return Json(value).dump(); };
+    const double pixel = sheet_width / request.width;
+    std::string words = "lens_sheet { square pitch 1 thickness 0.2 ior 1 } film { pixel_pitch <" +
+                        number(pixel / request.grid.columns) + ", " +
+                        number(pixel / request.grid.rows) + "> } parallax 1";
+    if (request.grid.count() > 1) {
+        const auto extent = [&](double part) { // greater than 0 even where the views do not differ
+            return number(std::max(part, 1e-3) * sheet_width);
+        };
+        words += " capture_aperture <" + extent(request.zone.x) + ", " + extent(request.zone.y) +
+                 ">";
+    }
+    return words;
+}
+
+ProbeView view_of(const DepthFrame& depths, const Image& picture, const ProbeRequest& request,
+                  int column, int row)
+{
+    const FrameMetadata& frame = depths.metadata;
+    const int width = request.width, height = height_of(request), x = column * width,
+              y = (request.grid.rows - 1 - row) * height;
+    const double unit = frame.placement->units_per_mm;
+    const Collineation relief = relief_of(frame);
+    ProbeView view;
+    const auto place = [](int k, int count) { return (k + 0.5) / count - 0.5; };
+    if (frame.quilt->eyes)
+        view.eye = {place(column, request.grid.columns) * frame.quilt->eyes->zone.x * unit,
+                    place(row, request.grid.rows) * frame.quilt->eyes->zone.y * unit};
+    view.colour = part_of(picture, x, y, width, height);
+    view.nearness.reserve(std::size_t(width) * height);
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i) {
+            const auto at = std::size_t(y + j) * picture.width + x + i;
+            const float depth = depths.depth[at];
+            const auto z = depths.imaged[at] > 0 && std::isfinite(depth)
+                               ? preimage_depth(relief, depth)
+                               : std::nullopt;
+            const double distance = z ? (scene_distance(frame) + *z) * unit : 0;
+            view.nearness.push_back(distance > 0 ? float(1 / distance) : 0);
+        }
+    return view;
+}
+
+} // namespace
+
+std::vector<std::string> probe_words(const std::string& scene,
+                                     const std::vector<std::string>& options,
+                                     const ProbeRequest& request, const ScratchFolder& scratch)
+{
+    std::vector<std::string> words = scene_words(scene);
+    words.insert(words.end(), options.begin(), options.end());
+    for (const char* word : {"-A", "-P", "+FN8", "Integral_Audit=off", "Integral_Draft=1",
+                             "Integral_Fit=", "Integral_Error_Image="})
+        words.push_back(word);
+    words.push_back("+W" + std::to_string(request.width * request.grid.columns));
+    words.push_back("+H" + std::to_string(height_of(request) * request.grid.rows));
+    words.push_back("Integral_Camera=" + camera_of(request));
+    words.push_back("Integral_Quilt=" + std::to_string(request.grid.columns) + "x" +
+                    std::to_string(request.grid.rows));
+    words.push_back("Integral_Depth_Image=" + quoted(depth_path(scratch)));
+    words.push_back("+O" + quoted(picture_path(request, scratch)));
+    return words;
+}
+
+Probe read_probe(const ProbeRequest& request, const ScratchFolder& scratch)
+{
+    DepthFrame depths = read_depths(depth_path(scratch));
+    const Image picture = converted(read_views(picture_path(request, scratch), true).image, 8,
+                                    Encoding{}, false);
+    Probe probe;
+    probe.request = request;
+    probe.width = request.width;
+    probe.height = height_of(request);
+    const int columns = request.grid.columns, rows = request.grid.rows;
+    if (!depths.metadata.placement || !depths.metadata.quilt || picture.channels < 3 ||
+        picture.width != probe.width * columns || picture.height != probe.height * rows ||
+        depths.depth.size() != std::size_t(picture.width) * picture.height)
+        throw InputError("the scene's camera gives no views for the studio");
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            probe.views.push_back(view_of(depths, picture, request, column, row));
+    std::swap(probe.views.front(), probe.views[std::size_t(rows / 2 * columns + columns / 2)]);
+    probe.sheet_distance = depths.metadata.placement->sheet_distance;
+    probe.depths.metadata = depths.metadata;
+    probe.depths.metadata.quilt.reset();
+    // The film of one view, for its shape and scale.
+    Film& film = probe.depths.metadata.film;
+    film.width = probe.width;
+    film.height = probe.height;
+    film.pixel_pitch = {film.pixel_pitch.x * columns, film.pixel_pitch.y * rows};
+    probe.depths.eye_distances = std::move(depths.eye_distances);
+    return probe;
+}
+
+std::string probe_bytes(const Probe& probe)
+{
+    Json head = {{"width", probe.width},
+                 {"height", probe.height},
+                 {"sheet_distance", probe.sheet_distance},
+                 {"eyes", Json::array()}};
+    for (const ProbeView& view : probe.views)
+        head["eyes"].push_back(list(view.eye));
+    std::string bytes = head.dump();
+    const auto pad = [&](char with, std::size_t more) {
+        bytes.append((4 - (bytes.size() + more) % 4) % 4, with);
+    };
+    pad(' ', 1);
+    bytes += '\n';
+    for (const ProbeView& view : probe.views) {
+        for (int y = 0; y < probe.height; ++y) {
+            const unsigned char* row = row_bytes(view.colour, y);
+            for (int x = 0; x < probe.width; ++x, row += view.colour.channels)
+                bytes.append(reinterpret_cast<const char*>(row), 3);
+        }
+        pad('\0', 0);
+        bytes.append(reinterpret_cast<const char*>(view.nearness.data()),
+                     view.nearness.size() * sizeof(float));
+    }
+    return bytes;
+}
+
+} // namespace integral

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// A scene's probe: a few small pictures with depth, around the scene's own eye, from which the
+// studio's page synthesises what is seen through any sheet.
+#ifndef INTEGRAL_STUDIO_PROBE_H
+#define INTEGRAL_STUDIO_PROBE_H
+
+#include "integral/batch/renderer.h"
+#include "integral/frame/depth_range.h"
+#include "integral/frame/image.h"
+
+#include <string>
+#include <vector>
+
+namespace integral {
+
+/// How a probe is to be rendered.
+struct ProbeRequest {
+    int width = 320;   ///< of a view, pixels
+    double aspect = 1; ///< width / height of the print
+    ViewGrid grid{1, 1}; ///< odd numbers, so that one view is the scene's own eye's
+    Vec2 zone; ///< extent of the eyes' places, as a part of the sheet's width; > 0 with more than one view
+};
+
+/// The perspective picture from one eye, whose window is the sheet at Probe::sheet_distance.
+struct ProbeView {
+    Vec2 eye;     ///< relative to the scene's eye, to the right and up, scene units
+    Image colour; ///< 8-bit sRGB, three channels
+    std::vector<float> nearness; ///< 1 / distance of the surface from the eye's plane, scene units;
+                                 ///< 0: no surface
+};
+
+struct Probe {
+    ProbeRequest request;
+    int width = 0, height = 0;   ///< of each view, pixels
+    double sheet_distance = 0;   ///< scene units from the scene's eye
+    std::vector<ProbeView> views; ///< the scene's own eye first
+    DepthFrame depths; ///< for figures: eye_distances and the metadata with the placement; no pixels
+};
+
+/// The words of povray-integral's command line that render a probe's pictures into `scratch`.
+/// `options`: the user's further words. Throws InputError.
+std::vector<std::string> probe_words(const std::string& scene,
+                                     const std::vector<std::string>& options,
+                                     const ProbeRequest& request, const ScratchFolder& scratch);
+
+/// Reads the finished pictures. Throws InputError.
+Probe read_probe(const ProbeRequest& request, const ScratchFolder& scratch);
+
+/// The probe for the page's script: a line of JSON (width, height, sheet_distance, eyes: a list of
+/// pairs), then for each view its colours, R, G and B, and its nearness as 32-bit floats. Numbers
+/// have this machine's byte order, which is the browser's on the same machine. Spaces at the end of
+/// the line make its length a multiple of four, and so does padding after the colours.
+std::string probe_bytes(const Probe& probe);
+
+} // namespace integral
+
+#endif

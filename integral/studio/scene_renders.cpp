@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/studio/scene_renders.h"
+
+#include "integral/base/json.h"
+#include "integral/batch/renderer_options.h"
+#include "integral/batch/scene_files.h"
+#include "integral/batch/scene_look.h"
+#include "integral/io/image_file.h"
+#include "integral/replay/draft_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace integral {
+namespace {
+
+constexpr int first_width = 320, second_width = 640; // of a probe's view, pixels
+constexpr auto time_between_looks = std::chrono::milliseconds(500); // at the scene's files
+constexpr auto time_without_listeners = std::chrono::seconds(10);   // ends a render
+
+/// Size and time of a file: equal stamps mean that it was not written in between.
+std::string stamp_of(const std::string& path)
+{
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    if (error)
+        return "";
+    const auto time = std::filesystem::last_write_time(path, error);
+    return std::to_string(size) + "@" + std::to_string(time.time_since_epoch().count());
+}
+
+/// The value of an option that is a whole number > 0, such as +W; 0: not given.
+int size_option(const std::vector<std::string>& words, const char* keyword, const char* letter)
+{
+    return std::max(0, std::atoi(value_of_option(words, keyword, letter).c_str()));
+}
+
+/// The probe that shows what a frame needs: side views as far apart as its eyes see the scene from.
+ProbeRequest probe_for(const FrameMetadata& frame)
+{
+    constexpr double margin = 1.2; // for settings a little apart
+    const Vec2 print = size_of(frame.film), zone = viewing_zone(frame.sheet, frame.aperture);
+    const double scale = margin * frame.parallax->factor / print.x;
+    ProbeRequest request;
+    request.width = second_width;
+    request.aspect = print.x / print.y;
+    request.grid = {zone.x > 0 ? 3 : 1, zone.y > 0 ? 3 : 1};
+    request.zone = {scale * zone.x, scale * zone.y};
+    if (!(scale > 0))
+        request.grid = {1, 1};
+    return request;
+}
+
+/// Whether a probe serves where `needed` would be rendered.
+bool serves(const ProbeRequest& had, const ProbeRequest& needed)
+{
+    const auto is_near = [](double a, double b, double ratio) {
+        return (a == 0) == (b == 0) && a <= ratio * b && b <= ratio * a;
+    };
+    return had.width == needed.width && is_near(had.aspect, needed.aspect, 1.01) &&
+           had.grid.columns == needed.grid.columns && had.grid.rows == needed.grid.rows &&
+           is_near(had.zone.x, needed.zone.x, 1.5) && is_near(had.zone.y, needed.zone.y, 1.5);
+}
+
+} // namespace
+
+struct SceneRenders::Job {
+    ScratchFolder scratch;
+    std::optional<ProbeRequest> probe; ///< what it renders: this, or else `exact`
+    ExactRequest exact;
+    int draft = 1;
+    Clock::time_point began = Clock::now();
+    std::optional<ChildProcess> child;
+
+    std::string log() const { return scratch.path("said.txt"); }
+    std::string picture() const { return scratch.path("exact.png"); }
+};
+
+SceneRenders::SceneRenders(const std::string& scene, const std::vector<std::string>& options)
+    : scene_(scene), options_(options)
+{
+    scene_words(scene); // throws for a name that cannot work
+    const int width = size_option(options, "width", "w"), height = size_option(options, "height",
+                                                                               "h");
+    ProbeRequest first;
+    first.width = first_width;
+    first.aspect = width > 0 && height > 0 ? double(width) / height : 4.0 / 3;
+    next_probe_ = first;
+}
+
+SceneRenders::~SceneRenders() = default;
+
+std::shared_ptr<const Probe> SceneRenders::probe() const
+{
+    const std::lock_guard lock(mutex_);
+    return probe_;
+}
+
+std::shared_ptr<const ExactDraft> SceneRenders::exact() const
+{
+    const std::lock_guard lock(mutex_);
+    return exact_;
+}
+
+/// Call it with mutex_ locked.
+void SceneRenders::change()
+{
+    ++changes_;
+    changed_.notify_all();
+}
+
+void SceneRenders::request_exact(int number, const PlacementSettings& settings)
+{
+    const std::lock_guard lock(mutex_);
+    next_exact_ = ExactRequest{number, settings};
+    wanted_exact_ = number;
+    if (probe_ && !problem_.empty()) { // of an earlier exact draft
+        problem_.clear();
+        change();
+    }
+}
+
+void SceneRenders::stop_exact()
+{
+    const std::lock_guard lock(mutex_);
+    next_exact_.reset();
+    wanted_exact_ = 0;
+}
+
+std::string SceneRenders::state() const
+{
+    const std::lock_guard lock(mutex_);
+    return Json{{"probe", probe_number_},
+                {"exact", exact_ ? exact_->number : 0},
+                {"draft", exact_ ? exact_->draft : 0},
+                {"seconds", exact_ ? exact_->seconds : 0},
+                {"work", work_.empty() ? Json() : Json(work_)},
+                {"progress", progress_},
+                {"problem", problem_.empty() ? Json() : Json(problem_)}}
+        .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+SceneRenders::Listener::Listener(SceneRenders& renders) : renders_(renders)
+{
+    const std::lock_guard lock(renders_.mutex_);
+    ++renders_.listeners_;
+}
+
+SceneRenders::Listener::~Listener()
+{
+    const std::lock_guard lock(renders_.mutex_);
+    --renders_.listeners_;
+    renders_.left_ = Clock::now();
+}
+
+std::optional<std::string> SceneRenders::Listener::next_state()
+{
+    {
+        std::unique_lock lock(renders_.mutex_);
+        renders_.changed_.wait_for(lock, std::chrono::seconds(2), [&] {
+            return renders_.ended_ || renders_.changes_ != seen_;
+        });
+        if (renders_.ended_)
+            return std::nullopt;
+        if (renders_.changes_ == seen_)
+            return "";
+        seen_ = renders_.changes_;
+    }
+    return renders_.state();
+}
+
+void SceneRenders::end()
+{
+    job_.reset();
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+    changed_.notify_all();
+}
+
+void SceneRenders::work()
+{
+    if (Clock::now() - watched_ > time_between_looks)
+        watch_files();
+    if (job_ && is_abandoned())
+        job_.reset();
+    if (job_)
+        watch_job();
+    if (job_)
+        return;
+    std::optional<ProbeRequest> probe;
+    std::optional<ExactRequest> exact;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!work_.empty()) {
+            work_.clear();
+            change();
+        }
+        if (!problem_.empty() || listeners_ == 0)
+            return;
+        // The first probe shows something at once; later ones wait until the exact draft is there.
+        if (next_probe_ && (!probe_ || !next_exact_))
+            probe.swap(next_probe_);
+        else
+            exact.swap(next_exact_);
+    }
+    if (probe)
+        begin_probe(*probe);
+    else if (exact)
+        begin_exact(*exact);
+}
+
+/// Whether nobody waits for the job's picture any more.
+bool SceneRenders::is_abandoned() const
+{
+    const std::lock_guard lock(mutex_);
+    return (!job_->probe && job_->exact.number != wanted_exact_) ||
+           (job_->probe && probe_ && next_exact_) ||
+           (listeners_ == 0 && Clock::now() - left_ > time_without_listeners);
+}
+
+/// Begins anew if one of the scene's files has changed.
+void SceneRenders::watch_files()
+{
+    watched_ = Clock::now();
+    decltype(files_) files;
+    try {
+        std::vector<std::string> words = scene_words(scene_);
+        words.insert(words.end(), options_.begin(), options_.end());
+        for (const SceneFile& file : files_of_scene(scene_, {".", words, ""}))
+            files.emplace_back(file.path, stamp_of(file.path));
+    } catch (const InputError&) {
+        return; // the scene is not here, but where povray-integral finds it; or it is being written
+    }
+    if (files == files_)
+        return;
+    const bool first = files_.empty();
+    files_ = files;
+    if (first)
+        return;
+    job_.reset();
+    const std::lock_guard lock(mutex_);
+    ProbeRequest again;
+    again.width = first_width;
+    again.aspect = probe_ ? double(probe_->width) / probe_->height
+                   : next_probe_ ? next_probe_->aspect
+                                 : 4.0 / 3;
+    next_probe_ = again;
+    probe_.reset();
+    exact_.reset();
+    next_exact_.reset();
+    problem_.clear();
+    change();
+}
+
+void SceneRenders::begin_probe(const ProbeRequest& request)
+{
+    auto job = std::make_unique<Job>();
+    job->probe = request;
+    const auto words = probe_words(scene_, options_, request, job->scratch);
+    begin(std::move(job), words);
+}
+
+void SceneRenders::begin_exact(const ExactRequest& request)
+{
+    const std::shared_ptr<const Probe> seen = probe();
+    if (!seen)
+        return;
+    const FrameMetadata frame = frame_of_settings(request.settings, &seen->depths);
+    {
+        const ProbeRequest needed = probe_for(frame);
+        const std::lock_guard lock(mutex_);
+        if (!serves(probe_->request, needed))
+            next_probe_ = needed;
+    }
+    auto job = std::make_unique<Job>();
+    job->exact = request;
+    job->draft = draft_of_four_views(frame);
+    std::vector<std::string> words = scene_words(scene_);
+    words.insert(words.end(), options_.begin(), options_.end());
+    for (const char* word : {"-A", "-P", "+FN8", "Integral_Audit=off", "Integral_Fit=",
+                             "Integral_Quilt=", "Integral_Depth_Image=", "Integral_Error_Image="})
+        words.push_back(word);
+    words.push_back("+W" + std::to_string(frame.film.width));
+    words.push_back("+H" + std::to_string(frame.film.height));
+    words.push_back("Integral_Camera=" + words_of_settings(request.settings, frame));
+    words.push_back("Integral_Draft=" + std::to_string(job->draft));
+    words.push_back("+O" + quoted(job->picture()));
+    begin(std::move(job), words);
+}
+
+void SceneRenders::begin(std::unique_ptr<Job> job, const std::vector<std::string>& words)
+{
+    std::vector<std::string> line = words;
+    line.insert(line.begin(), renderer_program());
+    job->child.emplace(line, ".", job->log());
+    job_ = std::move(job);
+    const std::lock_guard lock(mutex_);
+    work_ = job_->probe ? "probe" : "exact";
+    progress_ = 0;
+    change();
+}
+
+void SceneRenders::watch_job()
+{
+    const auto end = job_->child->ended();
+    if (!end) {
+        const double part = rendered_part(job_->log());
+        const std::lock_guard lock(mutex_);
+        if (std::fabs(part - progress_) >= 0.01) {
+            progress_ = part;
+            change();
+        }
+        return;
+    }
+    std::string problem;
+    try {
+        if (end->status == program_cannot_be_run)
+            problem = no_renderer(read_file(job_->log())).what();
+        else if (end->status != 0)
+            problem = reason_in(read_file(job_->log()));
+        else
+            finish(*job_);
+    } catch (const std::exception& error) {
+        problem = error.what();
+    }
+    job_.reset();
+    if (!problem.empty()) {
+        const std::lock_guard lock(mutex_);
+        problem_ = problem;
+        change();
+    }
+}
+
+/// Publishes the job's picture.
+void SceneRenders::finish(const Job& job)
+{
+    if (job.probe) {
+        auto probe = std::make_shared<const Probe>(read_probe(*job.probe, job.scratch));
+        const std::lock_guard lock(mutex_);
+        probe_ = std::move(probe);
+        ++probe_number_;
+        change();
+        return;
+    }
+    Frame frame = read_frame_with_metadata(job.picture());
+    if (is_draft(frame))
+        frame = *with_final_pixels(frame);
+    frame.image = converted(frame.image, 8, Encoding{}, false);
+    const double seconds = std::chrono::duration<double>(Clock::now() - job.began).count();
+    auto exact = std::make_shared<const ExactDraft>(
+        ExactDraft{job.exact.number, job.draft, seconds, std::move(frame)});
+    const std::lock_guard lock(mutex_);
+    exact_ = std::move(exact);
+    change();
+}
+
+} // namespace integral

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/studio/studio.h"
+
+#include "integral/base/file_bytes.h"
+#include "integral/base/json.h"
+#include "integral/batch/renderer_options.h"
+
+#include <charconv>
+#include <filesystem>
+
+namespace integral {
+namespace {
+
+/// Thrown for a request that names no page.
+struct NoSuchPage {};
+
+/// The number at the end of "/exact/NUMBER".
+int exact_number(const std::string& path)
+{
+    const std::string start = "/exact/";
+    int number = 0;
+    if (path.compare(0, start.size(), start) != 0)
+        throw NoSuchPage();
+    const char *const from = path.data() + start.size(), *const to = path.data() + path.size();
+    const auto read = std::from_chars(from, to, number);
+    if (read.ec != std::errc() || read.ptr != to || number < 1)
+        throw NoSuchPage();
+    return number;
+}
+
+std::string exact_bytes(const ExactDraft& exact)
+{
+    std::string bytes = to_json(*exact.frame.metadata);
+    for (char& letter : bytes) // the document is one line here
+        if (letter == '\n')
+            letter = ' ';
+    bytes.append(3 - bytes.size() % 4, ' ');
+    bytes += '\n';
+    const Image& image = exact.frame.image;
+    for (int y = 0; y < image.height; ++y) {
+        const unsigned char* row = row_bytes(image, y);
+        if (image.channels == 4) {
+            bytes.append(reinterpret_cast<const char*>(row), std::size_t(4) * image.width);
+            continue;
+        }
+        for (int x = 0; x < image.width; ++x, row += 3) {
+            bytes.append(reinterpret_cast<const char*>(row), 3);
+            bytes += char(-1); // opaque
+        }
+    }
+    return bytes;
+}
+
+ServerAnswer bytes_answer(std::string bytes)
+{
+    return {200, std::move(bytes), "application/octet-stream"};
+}
+
+ServerAnswer json_answer(std::string text) { return {200, std::move(text), "application/json"}; }
+
+/// The name of a scene without folder and extension.
+std::string stem_of(const std::string& scene)
+{
+    return std::filesystem::path(without_section(scene)).stem().string();
+}
+
+} // namespace
+
+Studio::Studio(const std::string& scene, const std::vector<std::string>& options,
+               SceneRenders& renders)
+    : scene_(scene), options_(options), renders_(renders)
+{
+}
+
+std::optional<ServerAnswer> Studio::answer(const ServerRequest& request)
+{
+    if (request.is_post)
+        try {
+            return post(request);
+        } catch (const NoSuchPage&) {
+            return std::nullopt;
+        } catch (const std::invalid_argument& error) {
+            return ServerAnswer{400, error.what(), "text/plain; charset=utf-8"};
+        }
+    if (request.path == "/")
+        return ServerAnswer{200, studio_page(stem_of(scene_), request)};
+    if (request.path == "/events") {
+        ServerAnswer events;
+        const auto listener = std::make_shared<SceneRenders::Listener>(renders_);
+        events.next_event = [listener] { return listener->next_state(); };
+        return events;
+    }
+    if (request.path == "/probe")
+        if (const auto probe = renders_.probe())
+            return bytes_answer(probe_bytes(*probe));
+    if (request.path == "/exact")
+        if (const auto exact = renders_.exact())
+            return bytes_answer(exact_bytes(*exact));
+    return std::nullopt;
+}
+
+ServerAnswer Studio::post(const ServerRequest& request)
+{
+    if (request.path == "/figures")
+        return json_answer(figures(request.body));
+    if (request.path == "/save")
+        return json_answer(save(settings_from_json(request.body)));
+    if (request.path == "/stop") {
+        renders_.stop_exact();
+        return json_answer("{}");
+    }
+    const int number = exact_number(request.path);
+    renders_.request_exact(number, settings_from_json(request.body));
+    return json_answer("{}");
+}
+
+std::string Studio::figures(const std::string& text) const
+{
+    const std::shared_ptr<const Probe> probe = renders_.probe();
+    const DepthFrame* const depths = probe ? &probe->depths : nullptr;
+    const PlacementSettings settings =
+        !text.empty() ? settings_from_json(text)
+                      : first_settings(probe ? double(probe->width) / probe->height : 4.0 / 3);
+    Json figures = settings_figures(settings, depths);
+    figures["settings"] = json_of(settings);
+    return figures.dump();
+}
+
+/// Writes the INI file that renders the print.
+std::string Studio::save(const PlacementSettings& settings) const
+{
+    const std::shared_ptr<const Probe> probe = renders_.probe();
+    if (!probe)
+        throw std::invalid_argument("the scene has not been looked at yet; save when it is seen");
+    const FrameMetadata frame = frame_of_settings(settings, &probe->depths);
+    const std::string name = stem_of(scene_) + "-on-sheet.ini",
+                      command = "povray-integral " + name;
+    std::string text = "; " + stem_of(scene_) + ", placed on a sheet by integral studio.\n; " +
+                       command + " +A0.3\n";
+    for (const std::string& word : scene_words(scene_))
+        text += word + "\n";
+    for (const std::string& word : options_)
+        text += word + "\n";
+    text += "+W" + std::to_string(frame.film.width) + " +H" + std::to_string(frame.film.height) +
+            "\nIntegral_Camera=\"" + words_of_settings(settings, frame) + "\"\n";
+    write_file(name, text);
+    return Json{{"file", name}, {"command", command + " +A0.3"}, {"text", text}}.dump();
+}
+
+} // namespace integral

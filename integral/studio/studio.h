@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Answers the requests of the studio's page, on which a scene is placed on a sheet.
+#ifndef INTEGRAL_STUDIO_STUDIO_H
+#define INTEGRAL_STUDIO_STUDIO_H
+
+#include "integral/studio/scene_renders.h"
+#include "integral/studio/server.h"
+
+namespace integral {
+
+/// Answers requests to a Server:
+/// - GET "/": the page.
+/// - GET "/events": SceneRenders::state whenever it changes, as server-sent events.
+/// - GET "/probe": probe_bytes of the newest probe; status 404 before the first.
+/// - GET "/exact": the newest exact draft: a line of JSON (the frame's document), padded with
+///   spaces to a multiple of four bytes, then the pixels: R, G, B and alpha, 8-bit sRGB.
+/// - POST "/figures" with settings (settings_from_json): settings_figures. Without settings: those
+///   of first_settings, in the field `settings`.
+/// - POST "/exact/NUMBER" with settings: requests the exact draft. POST "/stop": ends that work.
+/// - POST "/save" with settings: writes an INI file into the working folder; answers with `file`
+///   and `command`, which renders it.
+/// Settings that cannot work are answered by status 400 and a sentence. No path names a file.
+class Studio {
+public:
+    /// `scene` and `options`: as given to `renders`, which must outlive this.
+    Studio(const std::string& scene, const std::vector<std::string>& options,
+           SceneRenders& renders);
+
+    /// May be called by several threads at once.
+    std::optional<ServerAnswer> answer(const ServerRequest& request);
+
+private:
+    ServerAnswer post(const ServerRequest& request);
+    std::string figures(const std::string& settings) const;
+    std::string save(const PlacementSettings& settings) const;
+
+    const std::string scene_;
+    const std::vector<std::string> options_;
+    SceneRenders& renders_;
+};
+
+/// The studio's page for a scene of that name.
+std::string studio_page(const std::string& scene, const ServerRequest& request);
+
+} // namespace integral
+
+#endif

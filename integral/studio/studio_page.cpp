@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/studio/studio.h"
+
+#include "build/generated/replay_page_text.h"
+#include "build/generated/studio_page_text.h"
+#include "integral/base/json.h"
+#include "integral/base/number_text.h"
+#include "integral/frame/geometry_json.h"
+#include "integral/io/markup.h"
+#include "integral/sheet/known_sheets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral {
+namespace {
+
+/// The list's text for a sheet: "60 lenses per inch, lenticular", with the pitch of sheets that are
+/// not sold by their lenses per inch.
+std::string label_of(const KnownSheet& known)
+{
+    const std::string lenses = with_digits(mm_per_inch / known.sheet.pitch, 3);
+    return lenses + " lenses per inch, " + name_of(known.sheet.arrangement) +
+           (known.of_thesis ? ", " + with_digits(known.sheet.pitch, 4) + " mm (thesis)" : "");
+}
+
+/// The known sheets for the page's list, lenticular ones first, from coarse to fine.
+Json sheet_choices()
+{
+    std::vector<KnownSheet> sheets = known_sheets();
+    std::stable_sort(sheets.begin(), sheets.end(), [](const KnownSheet& a, const KnownSheet& b) {
+        return a.sheet.arrangement != b.sheet.arrangement
+                   ? a.sheet.arrangement < b.sheet.arrangement
+                   : a.sheet.pitch > b.sheet.pitch;
+    });
+    Json choices = Json::array();
+    for (const KnownSheet& known : sheets)
+        choices.push_back({{"name", known.name},
+                           {"label", label_of(known)},
+                           {"sheet", json_of(known.sheet)}});
+    return choices;
+}
+
+} // namespace
+
+std::string studio_page(const std::string& scene, const ServerRequest& request)
+{
+    const std::string title = markup_text(scene);
+    return filled_template(
+        studio_page_html,
+        {{"TITLE", title},
+         {"STYLE_NONCE", request.nonce},
+         {"TITLE", title},
+         {"SHEETS", json_within_html(sheet_choices().dump())},
+         {"REPLAY_SHADER", std::string(sheet_optics_glsl) + replay_page_glsl},
+         {"LIVE_SHADER", std::string(sheet_optics_glsl) + live_view_glsl},
+         {"SCRIPT_NONCE", request.nonce},
+         {"SCRIPT", std::string(replay_drawing_js) + live_view_js + studio_page_js}});
+}
+
+} // namespace integral

@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// The studio's page: places a scene on a lens sheet. Lengths in mm in the sheet frame, or in scene
+// units where so named.
+
+const element = (id) => document.getElementById(id);
+const sheets = JSON.parse(element("sheets").textContent); // { name, label, sheet } each
+const canvas = element("view"), depth_canvas = element("depths");
+const within = (v, least, greatest) => Math.min(greatest, Math.max(least, v));
+const figures_of = (v, digits = 4) => String(Number(v.toPrecision(digits)));
+const base = location.pathname.replace(/\/$/, "");
+const still = 300; // ms without a change, after which the exact draft is requested
+
+// What the user sets. `eye`: x and y as parts of the viewing zone's half width, and the distance as
+// a multiple of the viewing distance. sheet_distance and parallax: null if they are fitted.
+const state = { sheet: null, dpi: 0, width: 0, height: 0, distance: 0, sheet_distance: null, parallax: null, budgets: 2,
+                eye: [0, 0, 1], tint: false };
+let figures = null;        // the server's answer for the settings
+let scene = { probe: 0, exact: 0, work: null, progress: 0, problem: null }; // the server's state
+let probe = null;
+
+// Settings as the server reads them, and in the address's fragment.
+
+function settings() {
+  const { sheet, dpi, width, height, distance, sheet_distance, parallax, budgets } = state;
+  return { sheet: sheet.sheet, dpi, print_mm: [width, height], viewing_distance_mm: distance, sheet_distance, parallax, budgets };
+}
+
+function take_settings(given) {
+  state.sheet = sheets.find(({ sheet }) => sheet.pitch_mm === given.sheet.pitch_mm && sheet.arrangement === given.sheet.arrangement) ?? sheets[0];
+  [state.width, state.height] = given.print_mm;
+  Object.assign(state, { dpi: given.dpi, distance: given.viewing_distance_mm, sheet_distance: given.sheet_distance,
+                         parallax: given.parallax, budgets: given.budgets });
+}
+
+function fragment() {
+  const said = new URLSearchParams({ sheet: state.sheet.name, dpi: state.dpi, print: `${state.width}x${state.height}`, distance: state.distance });
+  said.set("plane", state.sheet_distance ?? "fit");
+  said.set("parallax", state.parallax ?? "fit");
+  said.set("budgets", state.budgets);
+  if (state.tint)
+    said.set("tint", "1");
+  return "#" + said;
+}
+
+// Reads the address's fragment; returns whether it has settings.
+function read_fragment() {
+  const said = new URLSearchParams(location.hash.slice(1));
+  const number = (text) => text !== null && text.trim() !== "" && Number.isFinite(Number(text)) ? Number(text) : null;
+  const sheet = sheets.find(({ name }) => name === said.get("sheet")), print = (said.get("print") ?? "").split("x").map(number);
+  const dpi = number(said.get("dpi")), distance = number(said.get("distance"));
+  if (!sheet || print.length !== 2 || print.includes(null) || dpi === null || distance === null)
+    return false;
+  [state.width, state.height] = print;
+  Object.assign(state, { sheet, dpi, distance, sheet_distance: number(said.get("plane")), parallax: number(said.get("parallax")),
+                         budgets: number(said.get("budgets")) ?? 2, tint: said.has("tint") });
+  return true;
+}
+
+// The server.
+
+async function post(path, body) {
+  const answer = await fetch(base + path, { method: "POST", body: body === undefined ? "" : JSON.stringify(body) });
+  if (!answer.ok)
+    throw Error((await answer.text()).trim());
+  return answer.json();
+}
+
+// A line of JSON, and the bytes after it.
+async function get_bytes(path) {
+  const answer = await fetch(base + path);
+  if (!answer.ok)
+    throw Error((await answer.text()).trim());
+  const bytes = await answer.arrayBuffer(), end = new Uint8Array(bytes).indexOf(10);
+  return { head: JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 0, end))), bytes, at: end + 1 };
+}
+
+async function load_probe() {
+  const { head, bytes, at } = await get_bytes("/probe");
+  const { width, height, sheet_distance, eyes } = head, pixels = width * height, colours = Math.ceil(3 * pixels / 4) * 4;
+  const first = !probe;
+  probe = { width, height, sheet_distance, views: eyes.map((eye, k) => {
+    const from = at + k * (colours + 4 * pixels);
+    return { eye, colours: new Uint8Array(bytes, from, 3 * pixels), nearness: new Float32Array(bytes, from + colours, pixels) };
+  }) };
+  live?.set_probe(probe);
+  depths_of_probe();
+  if (first && !read_fragment())
+    take_settings((await post("/figures")).settings);
+  await refresh(first);
+}
+
+// The figures for the settings; requests made meanwhile are answered once, by the last settings.
+let asking = false, ask_again = false;
+async function refresh(resized = false) {
+  if (asking) {
+    ask_again = true;
+    return;
+  }
+  asking = true;
+  try {
+    do {
+      ask_again = false;
+      const answer = await post("/figures", settings());
+      const shape = figures && figures.geometry.film;
+      figures = answer;
+      resized ||= JSON.stringify(shape) !== JSON.stringify(answer.geometry.film);
+      say_problem(scene.problem);
+    } while (ask_again);
+  } catch (error) {
+    say_problem(error.message);
+  }
+  asking = false;
+  if (figures && resized)
+    drawn_size = "";
+  show();
+}
+
+// The exact draft: requested when nothing has moved for a moment, stopped when something moves.
+const exact = { requested: 0, number: 0, geometry: null };
+let settling = 0;
+
+function changed() {
+  clearTimeout(settling);
+  if (exact.requested) {
+    exact.requested = 0;
+    post("/stop").catch(() => {});
+  }
+  exact.number = 0;
+  settling = setTimeout(settled, still);
+  moves();
+  refresh();
+}
+
+let requests = Date.now() % 1e9; // so that no number of an earlier page occurs again
+function settled() {
+  if (location.hash !== fragment())
+    history.pushState(null, "", fragment());
+  request_exact();
+}
+
+function request_exact() {
+  if (!probe || !figures || exact.number)
+    return;
+  exact.requested = ++requests;
+  post("/exact/" + exact.requested, settings()).catch((error) => say_problem(error.message));
+}
+
+async function load_exact(number) {
+  const { head, bytes, at } = await get_bytes("/exact");
+  if (number !== exact.requested || !replay)
+    return;
+  replay.remove_all();
+  await replay.add({ geometry: head, ior: head.sheet.ior, pixels: new Uint8Array(bytes, at) }, 1e6, async () => {});
+  if (number !== exact.requested)
+    return;
+  Object.assign(exact, { number, geometry: head });
+  drawn_size = "";
+  show();
+}
+
+function listen() {
+  const events = new EventSource(base + "/events");
+  events.onmessage = ({ data }) => {
+    const before = scene;
+    scene = JSON.parse(data);
+    const failed = (error) => say_problem(error.message);
+    if (scene.probe !== before.probe && scene.probe > 0)
+      load_probe().then(() => { if (before.probe === 0 || !exact.number) settled(); }).catch(failed);
+    if (scene.exact !== before.exact && scene.exact === exact.requested && scene.exact > 0)
+      load_exact(scene.exact).catch(failed);
+    say_problem(scene.problem);
+    show_badge();
+  };
+  events.onerror = () => {
+    if (events.readyState === EventSource.CLOSED)
+      say_problem("The studio has ended. Start integral studio again and open its new address.");
+  };
+}
+
+// The eye.
+
+function zone() {
+  const [w, h] = figures.zone_mm;
+  return [w || h, h || w].map((extent) => extent * state.eye[2]);
+}
+
+function eye_mm() {
+  const [width, height] = zone();
+  return [0.5 * width * state.eye[0], 0.5 * height * state.eye[1], state.distance * state.eye[2]];
+}
+
+function move_eye(x, y) {
+  state.eye = [within(x, -3, 3), within(y, -3, 3), state.eye[2]];
+  moves();
+  show_eye();
+}
+
+function set_eye_distance(times) {
+  state.eye[2] = within(times, 0.1, 10);
+  moves();
+  show_eye();
+}
+
+// Drawing.
+
+let gl = null, live = null, replay = null, pending = 0, drawn_size = "";
+
+// While something moves on slow graphics, the picture has fewer pixels and samples, so that ten
+// pictures a second are drawn; it gets sharp when nothing moves.
+const coarse = { scale: 1, moving: false, timer: 0 };
+const slow_ms = 90, quick_ms = 30, least_scale = 0.2;
+
+function moves() {
+  coarse.moving = true;
+  clearTimeout(coarse.timer);
+  coarse.timer = setTimeout(() => { coarse.moving = false; request_drawing(); }, 200);
+  request_drawing();
+}
+
+// Adapts to the milliseconds of a picture drawn while something moved.
+function adapt(ms) {
+  if (ms > slow_ms)
+    coarse.scale = Math.max(least_scale, coarse.scale * Math.max(0.4, Math.sqrt(slow_ms / ms)));
+  else if (ms < quick_ms)
+    coarse.scale = Math.min(1, 1.2 * coarse.scale);
+}
+
+function is_exact() { return exact.number > 0 && !state.tint; }
+
+function fit_canvas() {
+  const stage = element("stage"), dots = devicePixelRatio || 1;
+  const room = [stage.clientWidth, stage.clientHeight], scale = Math.min(room[0] / state.width, room[1] / state.height);
+  const most = gl.getParameter(gl.MAX_TEXTURE_SIZE), finer = dots * (coarse.moving ? coarse.scale : 1);
+  const size = [state.width, state.height].map((mm) => within(Math.round(mm * scale * finer), 1, most));
+  const key = [size, exact.number, probe !== null].join();
+  if (key === drawn_size)
+    return;
+  drawn_size = key;
+  [canvas.width, canvas.height] = size;
+  canvas.style.width = state.width * scale + "px";
+  canvas.style.height = state.height * scale + "px";
+  const film = figures.geometry.film, part = [0, 0, ...film_size_of({ film })];
+  live.set_view(size, part, figures.geometry);
+  if (exact.number)
+    replay.set_view(size, part);
+}
+
+function placement() {
+  const fitted = figures.placement;
+  return { sheet_distance: state.sheet_distance ?? fitted.sheet_distance, parallax: state.parallax ?? fitted.parallax,
+           scene_distance_mm: fitted.scene_distance_mm };
+}
+
+function draw() {
+  pending = 0;
+  if (!figures?.placement || !probe || !live)
+    return;
+  fit_canvas();
+  const eye = eye_mm(), began = performance.now();
+  if (is_exact())
+    replay.draw(0, { eye, pupil: 0, focus: 0, gap: 0, blur: 0, samples: coarse.moving ? 1 : 3, raw: false });
+  else
+    live.draw(eye, placement(), { samples: coarse.moving ? 1 : 2, tint: state.tint ? figures.budget_mm ?? 0 : 0 });
+  if (coarse.moving) {
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the picture
+    adapt(performance.now() - began);
+  }
+  document.body.dataset.drawn = is_exact() ? "exact" : "live";
+}
+
+function request_drawing() {
+  if (!pending)
+    pending = requestAnimationFrame(draw);
+}
+
+// The scene's depths: how many of the probe's pixels lie at each distance, over log(distance).
+const depths = { least: 1, greatest: 2, bins: [], beyond: 0 };
+
+function depths_of_probe() {
+  const near = probe.views[0].nearness;
+  let least = Infinity, greatest = 0, beyond = 0;
+  for (const n of near)
+    if (n > 0) {
+      least = Math.min(least, 1 / n);
+      greatest = Math.max(greatest, 1 / n);
+    } else {
+      ++beyond;
+    }
+  if (greatest === 0)
+    least = greatest = probe.sheet_distance;
+  depths.least = 0.6 * least;
+  depths.greatest = Math.min(1.6 * greatest, 1e4 * least);
+  depths.bins = new Array(120).fill(0);
+  for (const n of near)
+    if (n > 0)
+      ++depths.bins[within(Math.floor(depths.bins.length * place_of(1 / n)), 0, depths.bins.length - 1)];
+  depths.beyond = beyond / near.length;
+}
+
+// 0 to 1 across the graph for a distance, and its inverse.
+function place_of(distance) { return Math.log(distance / depths.least) / Math.log(depths.greatest / depths.least); }
+function distance_at(place) { return depths.least * (depths.greatest / depths.least) ** place; }
+
+function draw_depths() {
+  if (!probe || !figures?.placement)
+    return;
+  const paper = depth_canvas.getContext("2d"), { width, height } = depth_canvas, floor = height - 34;
+  const x_of = (distance) => distance === null ? width : width * within(place_of(Math.max(distance, 1e-12)), -1, 2);
+  paper.clearRect(0, 0, width, height);
+  const band = (ends, colour) => {
+    paper.fillStyle = colour;
+    paper.fillRect(x_of(ends[0]), 0, x_of(ends[1]) - x_of(ends[0]), floor);
+  };
+  if (figures.bands) {
+    band(figures.bands[1], "#c9a53c44");
+    band(figures.bands[0], "#4b83c377");
+  }
+  const most = Math.max(...depths.bins.map(Math.sqrt), 1), step = width / depths.bins.length;
+  paper.fillStyle = "#e8e8e6";
+  depths.bins.forEach((count, k) => {
+    const tall = Math.sqrt(count) / most * (floor - 8);
+    paper.fillRect(k * step, floor - tall, step - 1, tall);
+  });
+  paper.strokeStyle = "#d9a441";
+  paper.lineWidth = 4;
+  const at = x_of(placement().sheet_distance);
+  paper.beginPath();
+  paper.moveTo(at, 0);
+  paper.lineTo(at, floor + 8);
+  paper.stroke();
+  paper.fillStyle = "#d9a441";
+  paper.beginPath();
+  paper.arc(at, floor + 12, 9, 0, 7);
+  paper.fill();
+  paper.fillStyle = "#aeb1b6";
+  paper.font = "22px system-ui, sans-serif";
+  const text = (words, x, align) => { paper.textAlign = align; paper.fillText(words, x, height - 6); };
+  text("◂ eye  " + figures_of(depths.least, 3), 4, "left");
+  text(figures_of(depths.greatest, 3) + (depths.beyond > 0.001 ? "  far ▸" : ""), width - 4, "right");
+}
+
+// Text and controls.
+
+function say_problem(text) {
+  element("problem").hidden = !text;
+  element("problem").textContent = text ?? "";
+}
+
+function show_badge() {
+  const percent = ` ${Math.round(100 * scene.progress)} %`;
+  const working = scene.work === "exact" ? ", rendering the exact draft" + percent : scene.work === "probe" ? ", looking at the scene" + percent : "";
+  const badge = element("badge");
+  badge.classList.toggle("exact", is_exact());
+  badge.textContent = !probe ? "Looking at the scene" + (scene.work ? percent : " ...")
+    : is_exact() ? `Exact${scene.draft > 1 ? `, from a draft 1:${scene.draft}` : ""} (${figures_of(scene.seconds, 2)} s)`
+    : "Live" + working;
+}
+
+function show_eye() {
+  const [x, y, distance] = eye_mm(), round = (v) => Math.abs(v).toFixed(0) + " mm";
+  const places = [Math.abs(x) >= 0.5 ? round(x) + (x < 0 ? " to the left" : " to the right") : "",
+                  Math.abs(y) >= 0.5 ? round(y) + (y < 0 ? " below" : " above") : ""].filter(Boolean);
+  element("where").textContent = `The eye is ${round(distance)} before the sheet, ${places.join(" and ") || "opposite its middle"}`;
+}
+
+function set_control(id, value, text) {
+  const input = element(id);
+  if (document.activeElement !== input || input.type === "range")
+    input.value = value;
+  if (text)
+    input.setAttribute("aria-valuetext", text);
+}
+
+function show() {
+  if (!figures || !state.sheet)
+    return;
+  const put = placement_or_null();
+  set_control("sheet", state.sheet.name);
+  set_control("dpi", state.dpi);
+  set_control("width", figures_of(state.width));
+  set_control("height", figures_of(state.height));
+  set_control("distance", figures_of(state.distance));
+  set_control("distance-slider", Math.log(state.distance), state.distance + " mm");
+  element("tint").checked = state.tint;
+  if (put) {
+    const { sheet_distance: plane, parallax } = put, slider = element("plane-slider");
+    slider.min = Math.log(depths.least);
+    slider.max = Math.log(depths.greatest);
+    set_control("plane", figures_of(plane));
+    set_control("plane-slider", Math.log(plane), figures_of(plane) + " units from the scene's eye");
+    set_control("parallax", figures_of(parallax, 3));
+    set_control("parallax-slider", Math.log(Math.max(parallax, 1e-3)), figures_of(parallax, 3) + " times");
+  }
+  const percent = (share) => Math.round(100 * share) + " %", { shares } = figures;
+  if (shares) {
+    for (const name of ["sharp", "soft", "beyond"])
+      element(name).style.width = 100 * shares[name] + "%";
+    element("share-words").textContent = `${percent(shares.sharp)} sharp, ${percent(shares.soft)} soft, ${percent(shares.beyond)} beyond; the depth budget is ${figures_of(figures.budget_mm, 3)} mm to either side`;
+  } else {
+    element("share-words").textContent = "This sheet has no depth budget with these pixels.";
+  }
+  const { film } = figures.geometry;
+  element("print-words").textContent = `${film.width} × ${film.height} pixels, ${figures_of(figures.lenses, 3)} lenses across, ${figures_of(figures.pixels_per_lens, 3)} pixels per lens`;
+  element("words").value = figures.words;
+  show_eye();
+  show_badge();
+  draw_depths();
+  request_drawing();
+}
+
+function placement_or_null() { return figures?.placement ? placement() : null; }
+
+// A change by hand of the sheet's distance or the parallax ends the fit: both keep their values.
+function set_placement(change) {
+  const now = placement_or_null();
+  if (!now)
+    return;
+  state.sheet_distance = change.sheet_distance ?? now.sheet_distance;
+  state.parallax = change.parallax ?? now.parallax;
+  element("saved").textContent = "";
+  changed();
+  show();
+}
+
+function set_print(change) {
+  Object.assign(state, change);
+  element("saved").textContent = "";
+  changed();
+}
+
+function on_number(id, least, greatest, take) {
+  element(id).addEventListener("change", (event) => {
+    const value = Number(event.target.value);
+    if (event.target.value.trim() === "" || !(value >= least && value <= greatest))
+      say_problem(`${event.target.labels[0].textContent}: ${event.target.value || "nothing"} is not a number from ${least} to ${greatest}.`);
+    else
+      take(value);
+  });
+}
+
+function on_controls() {
+  for (const { name, label } of sheets)
+    element("sheet").append(new Option(label, name));
+  element("sheet").addEventListener("change", (event) => set_print({ sheet: sheets.find(({ name }) => name === event.target.value) }));
+  on_number("dpi", 10, 1e5, (dpi) => set_print({ dpi }));
+  on_number("width", 1, 1e5, (width) => set_print({ width, height: width * state.height / state.width }));
+  on_number("height", 1, 1e5, (height) => set_print({ height }));
+  on_number("distance", 10, 1e6, (distance) => set_print({ distance }));
+  on_number("plane", 1e-9, 1e9, (sheet_distance) => set_placement({ sheet_distance }));
+  on_number("parallax", 0, 100, (parallax) => set_placement({ parallax }));
+  const slide = (id, least, greatest, take) => {
+    Object.assign(element(id), { min: Math.log(least), max: Math.log(greatest) });
+    element(id).addEventListener("input", (event) => take(Number(Math.exp(event.target.value).toPrecision(4))));
+  };
+  slide("distance-slider", 100, 5000, (distance) => set_print({ distance }));
+  slide("plane-slider", 1, 2, (sheet_distance) => set_placement({ sheet_distance }));
+  slide("parallax-slider", 0.01, 2, (parallax) => set_placement({ parallax }));
+  for (const budgets of [1, 2])
+    element("fit" + budgets).addEventListener("click", () => set_print({ budgets, sheet_distance: null, parallax: null }));
+  element("tint").addEventListener("change", (event) => { state.tint = event.target.checked; show(); settled(); });
+  element("undo").addEventListener("click", () => history.back());
+  element("redo").addEventListener("click", () => history.forward());
+  element("full").addEventListener("click", () => document.fullscreenElement ? document.exitFullscreen() : element("stage").requestFullscreen());
+  element("copy").addEventListener("click", () => {
+    element("words").select();
+    navigator.clipboard?.writeText(element("words").value);
+    element("saved").textContent = "The words are copied: Integral_Camera=\"...\" takes them, and so does camera { integral ... }.";
+  });
+  element("save").addEventListener("click", async () => {
+    try {
+      const { file, command } = await post("/save", settings());
+      element("saved").textContent = `${file} is saved. Render the print: ${command}`;
+    } catch (error) {
+      say_problem(error.message);
+    }
+  });
+  window.addEventListener("popstate", () => {
+    if (read_fragment())
+      changed();
+  });
+  window.addEventListener("resize", request_drawing);
+  document.addEventListener("keydown", on_key);
+  on_pointer();
+  on_depths();
+}
+
+function on_key(event) {
+  const is_text = event.target.closest("input:not([type=range], [type=checkbox]), textarea, select");
+  if ((event.ctrlKey || event.metaKey) && !is_text && (event.key === "z" || event.key === "y")) {
+    event.preventDefault();
+    return event.key === "z" ? history.back() : history.forward();
+  }
+  if ((event.target !== canvas && event.target !== document.body) || event.ctrlKey || event.altKey || event.metaKey)
+    return;
+  const part = event.shiftKey ? 0.02 : 0.1, [x, y, times] = state.eye;
+  const moves = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }, move = moves[event.key];
+  if (move)
+    move_eye(x + part * move[0], y + part * move[1]);
+  else if (event.key === "PageUp" || event.key === "PageDown")
+    set_eye_distance(event.key === "PageUp" ? times / 1.1 : times * 1.1);
+  else if (event.key === "Home")
+    move_eye(0, 0);
+  else
+    return;
+  event.preventDefault();
+}
+
+// A mouse sets the eye's place: the picture's width is the zone's. A finger moves it by the distance dragged.
+function on_pointer() {
+  const calm = matchMedia("(prefers-reduced-motion: reduce)");
+  let held = null;
+  const moved = (event) => {
+    const box = canvas.getBoundingClientRect();
+    if (event.pointerType !== "touch") {
+      if (event.buttons || !calm.matches)
+        move_eye(2 * (event.clientX - box.left) / box.width - 1, 1 - 2 * (event.clientY - box.top) / box.height);
+    } else if (held) {
+      move_eye(state.eye[0] + 2 * (event.clientX - held.clientX) / box.width, state.eye[1] - 2 * (event.clientY - held.clientY) / box.height);
+      held = event;
+    }
+  };
+  canvas.addEventListener("pointermove", (event) => figures && moved(event));
+  canvas.addEventListener("pointerdown", (event) => { held = event; if (figures) moved(event); });
+  for (const end of ["pointerup", "pointercancel"])
+    canvas.addEventListener(end, () => { held = null; });
+}
+
+// The sheet is dragged through the scene.
+function on_depths() {
+  let held = false;
+  const moved = (event) => {
+    const box = depth_canvas.getBoundingClientRect();
+    set_placement({ sheet_distance: Number(distance_at(within((event.clientX - box.left) / box.width, 0, 1)).toPrecision(4)) });
+  };
+  depth_canvas.addEventListener("pointerdown", (event) => {
+    held = true;
+    if (event.isTrusted)
+      depth_canvas.setPointerCapture(event.pointerId);
+    moved(event);
+  });
+  depth_canvas.addEventListener("pointermove", (event) => held && moved(event));
+  for (const end of ["pointerup", "pointercancel"])
+    depth_canvas.addEventListener(end, () => { held = false; });
+}
+
+function begin() {
+  gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
+  if (!gl)
+    return say_problem("This browser has no WebGL 2, which the studio needs.");
+  live = new LiveView(gl, element("live-shader").textContent);
+  replay = new ReplayDrawing(gl, element("replay-shader").textContent);
+  drawn_size = "";
+  exact.number = 0;
+  if (probe)
+    live.set_probe(probe);
+}
+
+canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); live = replay = null; });
+canvas.addEventListener("webglcontextrestored", () => { begin(); show(); settled(); });
+try {
+  begin();
+} catch (error) {
+  say_problem(error.message);
+}
+on_controls();
+listen();
