@@ -143,3 +143,16 @@ build_bench_eyes_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 .PHONY: eyes
 eyes: all pristine build/bench/eyes
 	build/bench/eyes --scenes $(srcdir)/bench/scenes -o build/bench/eyes-tables
+
+# The studio's live picture without a browser, where EGL and OpenGL ES 3 are, against exact frames of
+# upstream's scenes.
+if HAVE_GLES
+EXTRA_PROGRAMS += build/bench/live_view
+build_bench_live_view_SOURCES = bench/live_drawing.cpp bench/live_drawing.h bench/live_view.cpp bench/program.h
+build_bench_live_view_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS) -lEGL -lGLESv2
+bench/live_view.$(OBJEXT): build/generated/replay_page_text.h build/generated/studio_page_text.h
+
+.PHONY: live-against-exact
+live-against-exact: all build/bench/live_view
+	$(srcdir)/bench/live_against_exact
+endif

@@ -30,7 +30,8 @@ replay_page_files = \
   integral/replay/replay_page.glsl \
   integral/replay/replay_page.html \
   integral/replay/replay_page.js \
-  integral/replay/report_comparator.js
+  integral/replay/report_comparator.js \
+  integral/replay/sheet_optics.glsl
 
 EXTRA_DIST += $(replay_page_files)
 CLEANFILES += build/generated/replay_page_text.h

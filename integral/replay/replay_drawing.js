@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Draws what an eye sees of frames through their sheets, by replay_page.glsl, on a canvas. Lengths
-// in mm, in the sheet frame.
+// Draws what an eye sees of frames through their sheets on a canvas: SheetDrawing has what every
+// shader needs that begins with sheet_optics.glsl, ReplayDrawing draws by replay_page.glsl. Lengths in
+// mm, in the sheet frame.
 
 const numbers_whole = 0, numbers_part = 1;
 const split_number = (v) => [Math.floor(v), v - Math.floor(v)];
@@ -16,7 +17,7 @@ function lens_axes(geometry) {
 
 const row_spacing_of = ({ sheet }) => sheet.arrangement === "hexagonal" ? Math.sqrt(3) / 2 : 1;
 
-// The texels of `columns` (`axis` 0) or `rows` in replay_page.glsl, for a view of `part`.
+// The texels of `columns` (`axis` 0) or `rows` in sheet_optics.glsl, for a view of `part`.
 function view_steps(geometry, part, axis, count) {
   const { sheet, film } = geometry, { across, along } = lens_axes(geometry), offset = sheet.offset_mm ?? [0, 0];
   const texels = new Float32Array(8 * count);
@@ -48,107 +49,13 @@ const difference_shader = `#version 300 es
     shown = vec4(gain * abs(texelFetch(first, at, 0).rgb - texelFetch(second, at, 0).rgb), 1);
   }`;
 
-// Units of textures: film, light, columns, rows for the replay; two views for their difference.
-class ReplayDrawing {
-    // `gl`: a WebGL 2 context. `shader`: replay_page.glsl. Throws Error with a sentence if the
-    // graphics driver refuses a shader.
-    constructor(gl, shader)
-    {
-        this.gl = gl;
-        gl.enable(gl.SCISSOR_TEST);
-        this.replay = this.program(shader);
-        this.difference = this.program(difference_shader);
-        this.films = [];
-        const linear = (v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
-        this.light = gl.createTexture();
-        this.floats(this.light, gl.R32F, gl.RED, 256, 1,
-                    Float32Array.from({length : 256}, (_, v) => linear(v / 255)));
+class SheetDrawing {
+  constructor(gl) {
+    this.gl = gl;
+    gl.enable(gl.SCISSOR_TEST);
   }
 
-  // Loads a frame: { geometry, picture, ior }, with an <img> of a data URI. `tile`: the greatest
-  // side of a texture. `loaded` gets the share loaded so far, 0 to 1, and returns a promise.
-  async add(frame, tile, loaded) {
-    const { gl } = this;
-    const film = { ...frame, texture: gl.createTexture(), columns: gl.createTexture(), rows: gl.createTexture() };
-    film.tile_size = await this.fill(film, tile, loaded);
-    this.films.push(film);
-  }
-
-  // The view's size in pixels, and the part of the sheet that it shows: [x, y, width, height].
-  set_view(size, part) {
-    const { gl } = this;
-    this.size = size;
-    this.part = part;
-    for (const film of this.films) {
-      this.floats(film.columns, gl.RGBA32F, gl.RGBA, size[0], 2, view_steps(film.geometry, part, 0, size[0]));
-      this.floats(film.rows, gl.RGBA32F, gl.RGBA, size[1], 2, view_steps(film.geometry, part, 1, size[1]));
-    }
-    for (const view of this.views ?? [])
-      gl.deleteTexture(view);
-    this.views = null;
-  }
-
-  // Draws columns `first` to `end` of a frame's view, whose lower left pixel is at `corner` of the
-  // canvas. `view`: eye, pupil, focus, gap, blur, samples, raw.
-  draw(index, view, first = 0, end = this.size[0], corner = [0, 0]) {
-    const { gl } = this, film = this.films[index];
-    gl.useProgram(this.replay.program);
-    this.set_geometry(film);
-    const [x, y, distance] = view.eye, [width, height] = this.size, part = this.part;
-    const number = (name, value) => gl.uniform1f(this.replay.at(name), value);
-    const whole = (name, value) => gl.uniform1i(this.replay.at(name), value);
-    gl.uniform2f(this.replay.at("view_pixel"), part[2] / width, part[3] / height);
-    gl.uniform2iv(this.replay.at("corner"), corner);
-    whole("view_height", height);
-    gl.uniform2f(this.replay.at("eye"), x, y);
-    number("eye_distance", distance);
-    number("pupil_radius", 0.5 * view.pupil);
-    number("spot_radius", 0.5 * view.blur);
-    number("sideways", view.focus / (distance + view.focus));
-    number("past_focus", view.gap / film.geometry.sheet.thickness_mm);
-    whole("samples", view.samples);
-    whole("raw", view.raw ? 1 : 0);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D_ARRAY, film.texture);
-    [this.light, film.columns, film.rows].forEach((texture, k) => this.bind(1 + k, texture));
-    this.cover(corner, first, end);
-  }
-
-  // Draws |first - second| of two frames' views, times `gain`.
-  draw_difference(first, second, gain) {
-    const { gl } = this;
-    this.views ??= [0, 1].map(() => {
-      const texture = gl.createTexture();
-      this.bind(0, texture);
-      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, ...this.size);
-      return texture;
-    });
-    const frame = gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-    [first, second].forEach((view, k) => {
-      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.views[k], 0);
-      this.draw(k, view);
-    });
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.deleteFramebuffer(frame);
-    gl.useProgram(this.difference.program);
-    this.views.forEach((texture, k) => {
-      this.bind(k, texture);
-      gl.uniform1i(this.difference.at(["first", "second"][k]), k);
-    });
-    gl.uniform1f(this.difference.at("gain"), gain);
-    gl.uniform2i(this.difference.at("corner"), 0, 0);
-    this.cover([0, 0], 0, this.size[0]);
-  }
-
-  // Fills the canvas with the page's background colour.
-  clear(width, height) {
-    const { gl } = this;
-    gl.scissor(0, 0, width, height);
-    gl.clearColor(0.094, 0.098, 0.106, 1);
-    gl.clear(gl.COLOR_BUFFER_BIT);
-  }
-
+  // Draws columns `first` to `end` of the view of this.size whose lower left pixel is at `corner`.
   cover(corner, first, end) {
     const { gl } = this;
     gl.viewport(...corner, ...this.size);
@@ -188,15 +95,21 @@ class ReplayDrawing {
     return { program, at: (name) => known[name] ??= gl.getUniformLocation(program, name) };
   }
 
-  // Uniforms of a frame's sheet and film.
-  set_geometry({ geometry, ior, tile_size }) {
-    const { gl } = this, { at } = this.replay, { sheet, film } = geometry, { across, along } = lens_axes(geometry);
+  // Textures of a view of `part` of a frame's sheet: [columns, rows].
+  view_textures() { return [this.gl.createTexture(), this.gl.createTexture()]; }
+  fill_view_textures(textures, geometry, size, part) {
+    const { gl } = this;
+    textures.forEach((texture, axis) =>
+      this.floats(texture, gl.RGBA32F, gl.RGBA, size[axis], 2, view_steps(geometry, part, axis, size[axis])));
+  }
+
+  // Uniforms of a view of a frame's sheet from the distance of an eye.
+  set_sheet_view(at, { geometry, ior }, { size, part, distance, samples, corner = [0, 0] }) {
+    const { gl } = this, { sheet, film } = geometry, { across, along } = lens_axes(geometry);
     const offset = sheet.offset_mm ?? [0, 0], whole = (name, value) => gl.uniform1i(at(name), value);
-    ["film", "light", "columns", "rows"].forEach((name, unit) => whole(name, unit));
     whole("arrangement", ["lenticular", "square", "hexagonal"].indexOf(sheet.arrangement));
     whole("subpixels", ["none", "rgb", "bgr"].indexOf(film.subpixels ?? "none"));
     gl.uniform2i(at("film_size"), film.width, film.height);
-    gl.uniform2iv(at("tile_size"), tile_size);
     gl.uniform2fv(at("pixel_pitch"), film.pixel_pitch_mm);
     gl.uniform1f(at("pitch"), sheet.pitch_mm);
     gl.uniform1f(at("row_spacing"), row_spacing_of(geometry));
@@ -207,6 +120,112 @@ class ReplayDrawing {
     gl.uniform1f(at("thickness"), sheet.thickness_mm);
     gl.uniform1f(at("n_squared"), ior * ior);
     gl.uniform1f(at("m"), (ior - 1) * (ior + 1));
+    gl.uniform2f(at("view_pixel"), part[2] / size[0], part[3] / size[1]);
+    gl.uniform2iv(at("corner"), corner);
+    whole("view_height", size[1]);
+    gl.uniform1f(at("eye_distance"), distance);
+    whole("samples", samples);
+  }
+}
+
+// Units of textures: film, light, columns, rows for the replay; two views for their difference.
+class ReplayDrawing extends SheetDrawing {
+  // `gl`: a WebGL 2 context. `shader`: sheet_optics.glsl and replay_page.glsl. Throws Error with a
+  // sentence if the graphics driver refuses a shader.
+  constructor(gl, shader) {
+    super(gl);
+    this.replay = this.program(shader);
+    this.difference = this.program(difference_shader);
+    this.films = [];
+    const linear = (v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
+    this.light = gl.createTexture();
+    this.floats(this.light, gl.R32F, gl.RED, 256, 1, Float32Array.from({ length: 256 }, (_, v) => linear(v / 255)));
+  }
+
+  // Loads a frame: { geometry, ior, picture or pixels }. picture: an <img> of a data URI; pixels: a
+  // Uint8Array of red, green, blue and alpha. `tile`: the greatest side of a texture. `loaded` gets the share loaded so far, 0 to 1, and returns a promise.
+  async add(frame, tile, loaded) {
+    const { gl } = this;
+    const film = { ...frame, texture: gl.createTexture(), view: this.view_textures() };
+    film.tile_size = await this.fill(film, tile, loaded);
+    this.films.push(film);
+  }
+
+  // Unloads all frames.
+  remove_all() {
+    for (const film of this.films)
+      for (const texture of [film.texture, ...film.view])
+        this.gl.deleteTexture(texture);
+    this.films = [];
+  }
+
+  // The view's size in pixels, and the part of the sheet that it shows: [x, y, width, height].
+  set_view(size, part) {
+    const { gl } = this;
+    this.size = size;
+    this.part = part;
+    for (const film of this.films)
+      this.fill_view_textures(film.view, film.geometry, size, part);
+    for (const view of this.views ?? [])
+      gl.deleteTexture(view);
+    this.views = null;
+  }
+
+  // Draws columns `first` to `end` of a frame's view, whose lower left pixel is at `corner` of the
+  // canvas. `view`: eye, pupil, focus, gap, blur, samples, raw.
+  draw(index, view, first = 0, end = this.size[0], corner = [0, 0]) {
+    const { gl } = this, film = this.films[index];
+    gl.useProgram(this.replay.program);
+    const { at } = this.replay, [x, y, distance] = view.eye, { size, part } = this;
+    const number = (name, value) => gl.uniform1f(at(name), value);
+    ["film", "light", "columns", "rows"].forEach((name, unit) => gl.uniform1i(at(name), unit));
+    this.set_sheet_view(at, film, { size, part, distance, samples: view.samples, corner });
+    gl.uniform2iv(at("tile_size"), film.tile_size);
+    gl.uniform2f(at("eye"), x, y);
+    number("pupil_radius", 0.5 * view.pupil);
+    number("spot_radius", 0.5 * view.blur);
+    number("sideways", view.focus / (distance + view.focus));
+    number("past_focus", view.gap / film.geometry.sheet.thickness_mm);
+    gl.uniform1i(at("raw"), view.raw ? 1 : 0);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, film.texture);
+    [this.light, ...film.view].forEach((texture, k) => this.bind(1 + k, texture));
+    this.cover(corner, first, end);
+  }
+
+  // Draws |first - second| of two frames' views, times `gain`.
+  draw_difference(first, second, gain) {
+    const { gl } = this;
+    this.views ??= [0, 1].map(() => {
+      const texture = gl.createTexture();
+      this.bind(0, texture);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, ...this.size);
+      return texture;
+    });
+    const frame = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    [first, second].forEach((view, k) => {
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.views[k], 0);
+      this.draw(k, view);
+    });
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.deleteFramebuffer(frame);
+    gl.useProgram(this.difference.program);
+    this.views.forEach((texture, k) => {
+      this.bind(k, texture);
+      gl.uniform1i(this.difference.at(["first", "second"][k]), k);
+    });
+    gl.uniform1f(this.difference.at("gain"), gain);
+    gl.uniform2i(this.difference.at("corner"), 0, 0);
+    this.cover([0, 0], 0, this.size[0]);
+  }
+
+  // Fills the canvas with the page's background colour.
+  clear(width, height) {
+    const { gl } = this;
+    gl.scissor(0, 0, width, height);
+    gl.clearColor(0.094, 0.098, 0.106, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
   }
 
   // Decodes the frame's file from the page's text, piece by piece.
@@ -222,8 +241,10 @@ class ReplayDrawing {
 
   // Loads a frame's stored values, exact to the bit, in tiles that the graphics processor can hold.
   // Returns the tiles' size.
-  async fill({ geometry, picture, texture }, tile, loaded) {
-    const { gl } = this, { film } = geometry, blob = await this.file(picture, loaded);
+  async fill({ geometry, picture, pixels, texture }, tile, loaded) {
+    const { gl } = this, { film } = geometry;
+    const source = pixels ? new ImageData(new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length), film.width, film.height)
+                          : await this.file(picture, loaded);
     const most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), tile);
     const width = Math.min(film.width, most), height = Math.min(film.height, most);
     const columns = Math.ceil(film.width / width), rows = Math.ceil(film.height / height);
@@ -243,7 +264,7 @@ class ReplayDrawing {
       const x = k % columns * width, y = Math.floor(k / columns) * height;
       const w = Math.min(width, film.width - x), h = Math.min(height, film.height - y);
       await loaded(0.5 + 0.5 * k / (columns * rows));
-      const bitmap = await createImageBitmap(blob, x, y, w, h, { premultiplyAlpha: "none", colorSpaceConversion: "none" });
+      const bitmap = await createImageBitmap(source, x, y, w, h, { premultiplyAlpha: "none", colorSpaceConversion: "none" });
       bind();
       gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, k, w, h, 1, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
       bitmap.close();

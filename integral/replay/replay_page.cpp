@@ -59,7 +59,7 @@ std::string page_shell(bool with_comparison, const PageAdditions& additions)
                       mark("COMPARISON"),
                       mark("GEOMETRY"),
                       mark("START"),
-                      {"SHADER", replay_page_glsl},
+                      {"SHADER", std::string(sheet_optics_glsl) + replay_page_glsl},
                       {"SCRIPT_NONCE", additions.nonce},
                       {"SCRIPT", std::string(replay_drawing_js) +
                                      (with_comparison ? comparison_page_js : "") + replay_page_js},

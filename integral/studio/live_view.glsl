@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Draws what an eye sees of a scene through a lens sheet, from a probe: perspective pictures of the
+// scene with depth (quilt_sampler.h). Each sample follows the eye's ray through the nearest lens to
+// a film pixel, then this pixel's own sight line (optics.md 3), parallax map (optics.md 8) and the
+// line in the probe. Continues sheet_optics.glsl.
+//
+// A line is parametrised by nearness nu = D0/r, r the distance from the scene's eye plane and D0 that
+// of the probe's window. In the picture of a view, the line's image is then straight and of constant
+// speed: for the sight line through P of the sheet and A' of the scene's eye plane (mm), and a view
+// from e (the scene's own eye is 0), the image is at
+//     q(nu) = P - A' (1 - nu D/D0) + (e/D0) d0 (1 - nu),
+// in mm on a window as large as the film.
+
+uniform vec2 eye; // mm
+uniform bool without_sheet; // the eye's own ray in place of the film pixel's sight line
+uniform float aperture_distance;
+uniform vec2 aperture_half; // half width and half height, mm; 1e30: no limit
+uniform bool elliptical;
+uniform bool upright_slit; // the slit of a lenticular sheet lies along y
+
+uniform float sheet_distance; // D, scene units
+uniform float scene_distance; // d0, mm
+uniform float parallax;       // K
+uniform float tint;           // depth budget, mm; 0: no tint
+
+const int max_views = 32;
+uniform sampler2DArray colours;  // of the probe's views; linear light when read
+uniform sampler2DArray nearness; // D0/r; 0: no surface
+uniform int view_count;
+uniform vec2 view_eyes[max_views]; // e/D0
+uniform float probe_distance;      // D0, scene units
+uniform float max_nearness;        // of all views
+uniform int max_steps;
+
+const float unlimited = 1e30;
+
+// The line that a film pixel shows.
+struct SightLine {
+    vec2 pole;     // its point on the sheet, mm
+    vec2 aperture; // its point in the aperture plane, mm
+};
+
+// The sight line of a film point through a lens. `q`: vector from the film point to the pole, or to
+// the foot of the film point on the axis. Returns false if the light is totally reflected or cannot
+// reach the slit.
+bool line_through(vec2 film_point, vec2 q, out SightLine line)
+{
+    float nd = sqrt(n_squared) * aperture_distance;
+    float clear = thickness * thickness - m * dot(q, q);
+    line.pole = film_point + q;
+    line.aperture = line.pole;
+    if (!(clear > 0.0))
+        return false;
+    if (arrangement != 0) {
+        line.aperture += (nd / sqrt(clear)) * q;
+        return true;
+    }
+    // The slit (slit.cpp): Newton's method within a bracket for the root of
+    // H(tau) = alpha + g tau + n d (g tau + lateral)/S, S = sqrt(clear - m tau^2).
+    vec2 normal = upright_slit ? vec2(1, 0) : vec2(0, 1);
+    if (dot(normal, along) < 0.0)
+        normal = -normal;
+    float g = dot(normal, along), alpha = dot(normal, line.pole), lateral = dot(q, normal);
+    float end = m > 0.0 ? sqrt(clear / m) : unlimited;
+    if (!(abs(lateral) < g * end))
+        return false;
+    float low = -end, high = end, s = sqrt(clear);
+    float tau = -(alpha * s + nd * lateral) / (g * (s + nd));
+    for (int step = 0; step < 8; ++step) {
+        if (!(tau > low && tau < high))
+            tau = 0.5 * (low + high);
+        float s2 = m > 0.0 ? m * (end - tau) * (end + tau) : clear;
+        s = sqrt(s2);
+        float h = alpha + g * tau + nd * (g * tau + lateral) / s;
+        float slope = g + nd * (g * clear + m * lateral * tau) / (s2 * s);
+        if (h < 0.0)
+            low = tau;
+        else
+            high = tau;
+        float change = h / slope;
+        tau -= change;
+        if (abs(change) <= 1e-6 * abs(tau))
+            break;
+    }
+    tau = clamp(tau, -end, end);
+    s = m > 0.0 ? sqrt(m * (end - tau) * (end + tau)) : sqrt(clear);
+    if (!(s > 0.0))
+        return false;
+    line.pole += tau * along;
+    line.aperture = line.pole + (nd / s) * (q + tau * along);
+    // The component across the slit is known.
+    if (upright_slit)
+        line.aperture.x = 0.0;
+    else
+        line.aperture.y = 0.0;
+    return true;
+}
+
+// Whether a point of the aperture plane is in the aperture or within rounding of its edge. Along a
+// lenticular sheet's slit only.
+bool in_aperture(vec2 point)
+{
+    const float inclusive = 1.0 + 1e-5;
+    vec2 part = abs(point) / (aperture_half * inclusive);
+    if (arrangement == 0)
+        part = upright_slit ? vec2(0, part.y) : vec2(part.x, 0);
+    return elliptical ? dot(part, part) <= 1.0 : max(part.x, part.y) <= 1.0;
+}
+
+// The vector from a film point to the point of the sheet through which it sees the aperture's centre
+// (SheetOptics::pole_seeing_centre).
+vec2 to_pole_seeing_centre(vec2 film_point)
+{
+    float radius = length(film_point), nd = sqrt(n_squared) * aperture_distance;
+    if (radius == 0.0)
+        return vec2(0);
+    float p = radius * nd / (nd + thickness);
+    for (int step = 0; step < 4; ++step) {
+        float root = sqrt(nd * nd + m * p * p), ratio = nd / root;
+        p += (radius - p - p * thickness / root) / (1.0 + thickness / root * ratio * ratio);
+    }
+    return (p / radius - 1.0) * film_point;
+}
+
+// The sight line of the film point at `offset` (mm) from a corner: through the nearest lens, or else
+// the lens that sees the aperture (optics.md 4, `auto`). Returns false if no lens images the point.
+bool sight_line(ViewCorner from, vec2 offset, out SightLine line)
+{
+    vec2 film_point = from.place + offset;
+    if (line_through(film_point, to_nearest_pole(from, offset), line) && in_aperture(line.aperture))
+        return true;
+    vec2 ideal = to_pole_seeing_centre(film_point);
+    return line_through(film_point, ideal + to_nearest_pole(from, offset + ideal), line) && in_aperture(line.aperture);
+}
+
+// A view's image of a line: q(nu) in pixels of the probe from the upper left is from + nu speed.
+struct LineImage {
+    vec2 from, speed;
+};
+
+LineImage image_of(SightLine line, vec2 scene_eye, int view)
+{
+    vec2 probe = vec2(textureSize(nearness, 0).xy), film = vec2(film_size) * pixel_pitch;
+    vec2 scale = vec2(probe.x, -probe.y) / film, side = view_eyes[view] * scene_distance;
+    vec2 from = line.pole - scene_eye + side, speed = scene_eye * (sheet_distance / probe_distance) - side;
+    return LineImage(scale * from + 0.5 * probe, scale * speed);
+}
+
+ivec2 inside_probe(ivec2 texel) { return clamp(texel, ivec2(0), textureSize(nearness, 0).xy - 1); }
+
+float nearness_at(int view, vec2 q) { return texelFetch(nearness, ivec3(inside_probe(ivec2(floor(q))), view), 0).r; }
+
+bool is_outside(vec2 q)
+{
+    return any(lessThan(q, vec2(-0.5))) || any(greaterThan(q, vec2(textureSize(nearness, 0).xy) + 0.5));
+}
+
+// Bilinear weights of the four pixels around a point without those whose nearness differs from
+// `about` by more than `margin`. Where all do, the nearest pixel counts.
+struct Corners {
+    ivec2 first;
+    vec4 weights, nearness; // (0, 0), (1, 0), (0, 1), (1, 1)
+};
+
+Corners corners_of(int view, vec2 q, float about, float margin)
+{
+    vec2 place = q - 0.5, part = place - floor(place);
+    Corners c;
+    c.first = ivec2(floor(place));
+    for (int k = 0; k < 4; ++k) {
+        ivec2 offset = ivec2(k & 1, k >> 1);
+        float value = texelFetch(nearness, ivec3(inside_probe(c.first + offset), view), 0).r;
+        float weight = (offset.x == 1 ? part.x : 1.0 - part.x) * (offset.y == 1 ? part.y : 1.0 - part.y);
+        c.nearness[k] = value;
+        c.weights[k] = abs(value - about) <= margin ? weight + 1e-6 : 0.0;
+    }
+    float total = dot(c.weights, vec4(1));
+    if (total > 0.0) {
+        c.weights /= total;
+    } else {
+        ivec2 nearest = ivec2(floor(q)) - c.first;
+        c.weights[clamp(nearest.x, 0, 1) + 2 * clamp(nearest.y, 0, 1)] = 1.0;
+    }
+    return c;
+}
+
+vec3 colour_of(int view, Corners c)
+{
+    vec3 colour = vec3(0);
+    for (int k = 0; k < 4; ++k)
+        if (c.weights[k] > 0.0)
+            colour += c.weights[k] * texelFetch(colours, ivec3(inside_probe(c.first + ivec2(k & 1, k >> 1)), view), 0).rgb;
+    return colour;
+}
+
+// The view, not in `tried`, nearest to the eye `scene_eye` (in view_eyes' units) that sees the
+// line's point at nu: inside its picture and not hidden; nu < 0: any. -1: none.
+int view_seeing(SightLine line, vec2 scene_eye, vec2 units, float nu, int tried)
+{
+    int best = -1;
+    float least = unlimited;
+    for (int view = 0; view < view_count; ++view) {
+        vec2 away = view_eyes[view] - units;
+        float distance = dot(away, away);
+        if (distance >= least || (tried >> view & 1) == 1)
+            continue;
+        if (nu >= 0.0) {
+            LineImage image = image_of(line, scene_eye, view);
+            vec2 q = image.from + nu * image.speed;
+            if (is_outside(q) || nearness_at(view, q) > nu)
+                continue;
+        }
+        least = distance;
+        best = view;
+    }
+    return best;
+}
+
+// Surface of the probe.
+struct Surface {
+    vec3 colour;
+    float nearness;
+};
+
+// The surface nearest to the viewer along a line. Views are height fields over their pictures: the
+// march goes from the greatest nearness down, about a pixel a step, and ends where the line crosses
+// a joined surface. Where it passes behind an edge it goes on in another view that sees it, or
+// behind the edge until it emerges; it then takes the background beside the edge.
+Surface surface_along(SightLine line, vec2 scene_eye)
+{
+    vec2 units = scene_eye * (sheet_distance / (scene_distance * probe_distance));
+    int view = view_seeing(line, scene_eye, units, -1.0, 0), tried = 1 << view;
+    LineImage image = image_of(line, scene_eye, view);
+    float pace = max(length(image.speed), 1e-6); // pixels per nearness
+    float stride = max(1.0 / pace, max_nearness / float(max_steps));
+    float near_a = max_nearness * 1.001, near_b = near_a;
+    vec2 q = image.from + near_a * image.speed, entry_q = q;
+    float surface_a = nearness_at(view, q), before = surface_a;
+    float entry_surface = 0.0, entry_near = 0.0;
+    int entry_view = view;
+    bool behind = false;
+    for (int k = 0; k < 4 * max_steps; ++k) {
+        near_b = max(near_a - stride, 0.0);
+        vec2 q_a = q;
+        q = image.from + near_b * image.speed;
+        float surface_b = nearness_at(view, q);
+        float margin = 1.5 / pace;
+        if (surface_b >= near_b) {
+            float rise = surface_b - surface_a;
+            if (!behind) {
+                float next = nearness_at(view, q + (q - q_a));
+                bool joined = min(abs(rise - (surface_a - before)), abs(rise - (next - surface_b))) <= margin;
+                int other = is_outside(q) || !(joined || surface_b <= near_a + 0.25 * stride)
+                                ? view_seeing(line, scene_eye, units, near_a, tried)
+                                : -1;
+                if (other < 0 && (joined || surface_b <= near_a + 0.25 * stride)) {
+                    // Refine within the last step.
+                    float margin_here = max(margin, 0.03 * surface_b);
+                    float low = near_b, high = near_a, nu = clamp(surface_b, low, high);
+                    Corners c;
+                    for (int i = 0; i < 3; ++i) {
+                        c = corners_of(view, image.from + nu * image.speed, surface_b, margin_here);
+                        float value = dot(c.weights, c.nearness);
+                        if (value > nu)
+                            low = nu;
+                        else
+                            high = nu;
+                        nu = clamp(value, low, high);
+                    }
+                    c = corners_of(view, image.from + nu * image.speed, nu, margin_here);
+                    return Surface(colour_of(view, c), nu);
+                }
+                behind = true;
+                entry_q = q_a;
+                entry_surface = surface_a;
+                entry_near = near_a;
+                entry_view = view;
+                if (other >= 0) {
+                    view = other;
+                    tried |= 1 << view;
+                    image = image_of(line, scene_eye, view);
+                    pace = max(length(image.speed), 1e-6);
+                    stride = max(1.0 / pace, max_nearness / float(max_steps));
+                    q = image.from + near_a * image.speed;
+                    surface_a = nearness_at(view, q);
+                    before = surface_a;
+                    behind = false;
+                    continue;
+                }
+            } else if (rise < -margin && surface_b < entry_near) {
+                // The line met the background while hidden.
+                bool entry_is_nearer = length(image.from + surface_b * image.speed - entry_q) <
+                                       length(image.from + surface_b * image.speed - q);
+                vec2 from = entry_is_nearer ? entry_q : q;
+                float about = entry_is_nearer ? entry_surface : surface_b;
+                Corners c = corners_of(view, from, about, max(margin, 0.03 * about));
+                return Surface(colour_of(view, c), surface_b);
+            }
+        } else {
+            behind = false;
+        }
+        if (near_b <= 0.0)
+            break;
+        before = surface_a;
+        surface_a = surface_b;
+        near_a = near_b;
+    }
+    // The line never emerged: the background beside the edge behind which it passed.
+    Corners c = corners_of(entry_view, entry_q, entry_surface, 0.03 * entry_surface);
+    return Surface(colour_of(entry_view, c), entry_surface);
+}
+
+// The tints of depth_picture.cpp, and a pattern: soft is dotted, beyond is striped.
+vec3 tinted(Surface surface)
+{
+    float omega = surface.nearness * sheet_distance / probe_distance;
+    float lift = 1.0 - parallax * (1.0 - omega);
+    float depth = lift > 0.0 ? parallax * aperture_distance * (1.0 - omega) / lift : unlimited;
+    float grey = min(1.0, dot(surface.colour, vec3(0.2126, 0.7152, 0.0722)));
+    vec3 colour = vec3(0.25, 0.55, 1.0);
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    float mark = 1.0;
+    if (abs(depth) > 2.0 * tint) {
+        colour = vec3(0.9, 0.15, 0.1);
+        mark = (at.x + at.y) % 10 < 3 ? 0.5 : 1.0;
+    } else if (abs(depth) > tint) {
+        colour = vec3(1.0, 0.75, 0.1);
+        mark = at.x % 8 < 2 && at.y % 8 < 2 ? 0.4 : 1.0;
+    }
+    return (mark * (0.15 + 0.85 * grey)) * colour;
+}
+
+vec3 light_along(SightLine line)
+{
+    Surface surface = surface_along(line, parallax * line.aperture);
+    return tint > 0.0 ? tinted(surface) : surface.colour;
+}
+
+// The light of the film pixel whose left upper corner is `pixel` from a corner of the view.
+// `stripe`: offset of the colour's stripe from the pixel's centre, in pixels.
+vec3 light_of_pixel(ViewCorner at, vec2 pixel, float stripe)
+{
+    vec2 centre = pixel + vec2(0.5 + stripe, 0.5);
+    SightLine line;
+    if (!sight_line(at, vec2(1, -1) * pixel_pitch * (centre - at.film_part), line))
+        return vec3(0);
+    return light_along(line);
+}
+
+vec3 seen(ivec2 view, vec2 inside)
+{
+    ViewCorner at = view_corner(view);
+    vec2 moved = vec2(inside.x, -inside.y) * view_pixel;
+    vec2 to_eye = eye - at.place - moved;
+    vec2 film_step = moved;
+    if (!without_sheet)
+        film_step += film_point_seen(to_nearest_pole(at, moved), to_eye);
+    vec2 pixel = at.film_part + vec2(film_step.x, -film_step.y) / pixel_pitch;
+    vec2 place = at.film_whole + floor(pixel);
+    if (any(lessThan(place, vec2(0))) || any(greaterThanEqual(place, vec2(film_size))))
+        return vec3(0);
+    if (without_sheet)
+        return light_along(SightLine(at.place + moved, at.place + moved + (aperture_distance / eye_distance) * to_eye));
+    if (subpixels == 0)
+        return light_of_pixel(at, floor(pixel), 0.0);
+    float shift = subpixels == 1 ? 1.0 / 3.0 : -1.0 / 3.0; // of blue's stripe; red's is the opposite
+    vec3 light;
+    for (int channel = 0; channel < 3; ++channel) {
+        float stripe = float(channel - 1) * shift;
+        light[channel] = light_of_pixel(at, vec2(floor(pixel.x - stripe), floor(pixel.y)), stripe)[channel];
+    }
+    return light;
+}
+
+void main()
+{
+    ivec2 view = drawn_pixel();
+    vec3 total = vec3(0);
+    for (int j = 0; j < samples; ++j)
+        for (int i = 0; i < samples; ++i)
+            total += seen(view, (vec2(i, j) + 0.5) / float(samples));
+    shown = encoded(total / float(samples * samples));
+}
