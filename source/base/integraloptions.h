@@ -43,6 +43,7 @@ struct IntegralSceneOptions
     std::string sheet;        ///< Integral_Sheet=: a file; empty: none
     int draft = 1;            ///< Integral_Draft=: pixels of the final across a pixel of the draft
     std::optional<double> fit; ///< Integral_Fit=: depth budgets on either side; 0: off
+    bool quilt = false;        ///< Integral_Quilt= is given
     bool free_width = false;  ///< the width is a default, which print_size may replace
     bool free_height = false; ///< the same for the height
     std::string problem;      ///< what is wrong with the options, for the user; empty: nothing

@@ -13,6 +13,8 @@
 #include "integral/base/json.h"
 #include "integral/base/number_text.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -51,6 +53,8 @@ void IntegralGrammar::Parse_Option()
     }
     if (option->given.count("print_size") && option->given.count("film"))
         Use_Print_Size();
+    if (options.quilt && option->given.count("film"))
+        Use_View_Shape();
 
     parser.sceneData->languageVersion = version;
     parser.sceneData->languageVersionSet = version_set;
@@ -99,6 +103,25 @@ void IntegralGrammar::Use_Print_Size()
         set("image_width", pixels.width);
     if (options.free_height)
         set("image_height", pixels.height);
+}
+
+/// In a quilt whose pixels are not square: scales the scene's image_width or image_height, so that
+/// image_width/image_height is the shape of a view.
+void IntegralGrammar::Use_View_Shape()
+{
+    const integral::Vec2 pitch = option->parameters.film.pixel_pitch;
+    const auto scale = [&](const char *name, double factor)
+    {
+        if (SYM_ENTRY *const symbol = parser.Find_Symbol(1, name))
+        {
+            DBL& value = *static_cast<DBL *>(symbol->Data);
+            value = std::max(1.0, std::round(factor * value));
+        }
+    };
+    if (pitch.x < pitch.y)
+        scale("image_width", pitch.x / pitch.y);
+    else if (pitch.y < pitch.x)
+        scale("image_height", pitch.y / pitch.x);
 }
 
 /// Gets width and height of the final picture from the identifiers that the front end declares in
