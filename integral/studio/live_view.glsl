@@ -222,92 +222,117 @@ struct Surface {
     float nearness;
 };
 
-// The surface nearest to the viewer along a line. Views are height fields over their pictures: the
-// march goes from the greatest nearness down, about a pixel a step, and ends where the line crosses
-// a joined surface. Where it passes behind an edge it goes on in another view that sees it, or
-// behind the edge until it emerges; it then takes the background beside the edge.
+// A march along a line over the pixels of a view, from the greatest nearness down.
+struct March {
+    int view;
+    LineImage image;
+    vec2 pace;      // pixels per nearness across and down, not 0
+    vec2 next;      // nearness at which the line leaves the pixel's column and row
+    float cell;     // width of a step in pixels: 1, or more where the line is long
+    float enter, leave; // nearness at which the line enters and leaves the pixel
+};
+
+void begin(inout March march, SightLine line, vec2 scene_eye, int view, float enter)
+{
+    march.view = view;
+    march.image = image_of(line, scene_eye, view);
+    vec2 speed = march.image.speed;
+    march.pace = max(abs(speed), 1e-6);
+    march.cell = max(1.0, (march.pace.x + march.pace.y) * max_nearness / float(max_steps));
+    // The line goes against `speed`: to the pixel's lower border where speed is positive.
+    vec2 place = (march.image.from + enter * speed) / march.cell, part = place - floor(place);
+    vec2 way = vec2(speed.x > 0.0 ? part.x : 1.0 - part.x, speed.y > 0.0 ? part.y : 1.0 - part.y);
+    march.next = enter - march.cell * way / march.pace;
+    march.enter = enter;
+    march.leave = max(max(march.next.x, march.next.y), 0.0);
+}
+
+void go_on(inout March march)
+{
+    if (march.next.x > march.next.y)
+        march.next.x -= march.cell / march.pace.x;
+    else
+        march.next.y -= march.cell / march.pace.y;
+    march.enter = march.leave;
+    march.leave = clamp(max(march.next.x, march.next.y), 0.0, march.enter);
+}
+
+vec2 middle_of(March march) { return march.image.from + 0.5 * (march.enter + march.leave) * march.image.speed; }
+
+// The surface that the line crosses in or next to a pixel of nearness `about`.
+Surface crossed(March march, float about, float margin)
+{
+    float low = march.leave - margin, high = march.enter + margin, nu = clamp(about, march.leave, march.enter);
+    margin = max(margin, 0.03 * about);
+    Corners c;
+    for (int i = 0; i < 3; ++i) {
+        c = corners_of(march.view, march.image.from + nu * march.image.speed, about, margin);
+        nu = clamp(dot(c.weights, c.nearness), low, high);
+    }
+    return Surface(colour_of(march.view, c), nu);
+}
+
+// The surface nearest to the viewer along a line. A view is a height field over its picture. Where
+// the line passes behind an edge it goes on in another view that sees it, or behind the edge until it
+// emerges, or meets the background, which then has the colour beside the edge.
 Surface surface_along(SightLine line, vec2 scene_eye)
 {
     vec2 units = scene_eye * (sheet_distance / (scene_distance * probe_distance));
     int view = view_seeing(line, scene_eye, units, -1.0, 0), tried = 1 << view;
-    LineImage image = image_of(line, scene_eye, view);
-    float pace = max(length(image.speed), 1e-6); // pixels per nearness
-    float stride = max(1.0 / pace, max_nearness / float(max_steps));
-    float near_a = max_nearness * 1.001, near_b = near_a;
-    vec2 q = image.from + near_a * image.speed, entry_q = q;
-    float surface_a = nearness_at(view, q), before = surface_a;
-    float entry_surface = 0.0, entry_near = 0.0;
-    int entry_view = view;
+    March march;
+    begin(march, line, scene_eye, view, max_nearness * 1.0001);
+    float before = -1.0, surface = nearness_at(view, middle_of(march)), slope = 0.0;
     bool behind = false;
-    for (int k = 0; k < 4 * max_steps; ++k) {
-        near_b = max(near_a - stride, 0.0);
-        vec2 q_a = q;
-        q = image.from + near_b * image.speed;
-        float surface_b = nearness_at(view, q);
-        float margin = 1.5 / pace;
-        if (surface_b >= near_b) {
-            float rise = surface_b - surface_a;
-            if (!behind) {
-                float next = nearness_at(view, q + (q - q_a));
-                bool joined = min(abs(rise - (surface_a - before)), abs(rise - (next - surface_b))) <= margin;
-                int other = is_outside(q) || !(joined || surface_b <= near_a + 0.25 * stride)
-                                ? view_seeing(line, scene_eye, units, near_a, tried)
-                                : -1;
-                if (other < 0 && (joined || surface_b <= near_a + 0.25 * stride)) {
-                    // Refine within the last step.
-                    float margin_here = max(margin, 0.03 * surface_b);
-                    float low = near_b, high = near_a, nu = clamp(surface_b, low, high);
-                    Corners c;
-                    for (int i = 0; i < 3; ++i) {
-                        c = corners_of(view, image.from + nu * image.speed, surface_b, margin_here);
-                        float value = dot(c.weights, c.nearness);
-                        if (value > nu)
-                            low = nu;
-                        else
-                            high = nu;
-                        nu = clamp(value, low, high);
-                    }
-                    c = corners_of(view, image.from + nu * image.speed, nu, margin_here);
-                    return Surface(colour_of(view, c), nu);
-                }
-                behind = true;
-                entry_q = q_a;
-                entry_surface = surface_a;
-                entry_near = near_a;
-                entry_view = view;
-                if (other >= 0) {
-                    view = other;
-                    tried |= 1 << view;
-                    image = image_of(line, scene_eye, view);
-                    pace = max(length(image.speed), 1e-6);
-                    stride = max(1.0 / pace, max_nearness / float(max_steps));
-                    q = image.from + near_a * image.speed;
-                    surface_a = nearness_at(view, q);
-                    before = surface_a;
-                    behind = false;
-                    continue;
-                }
-            } else if (rise < -margin && surface_b < entry_near) {
-                // The line met the background while hidden.
-                bool entry_is_nearer = length(image.from + surface_b * image.speed - entry_q) <
-                                       length(image.from + surface_b * image.speed - q);
-                vec2 from = entry_is_nearer ? entry_q : q;
-                float about = entry_is_nearer ? entry_surface : surface_b;
-                Corners c = corners_of(view, from, about, max(margin, 0.03 * about));
-                return Surface(colour_of(view, c), surface_b);
-            }
-        } else {
-            behind = false;
+    vec2 edge = vec2(0); // the background's pixel beside the edge
+    float edge_surface = 0.0, edge_enter = 0.0;
+    int edge_view = view;
+    for (int k = 0; k < 3 * max_steps; ++k) {
+        vec2 q = middle_of(march);
+        float margin = 1.5 * march.cell / max(march.pace.x, march.pace.y);
+        before = surface;
+        surface = nearness_at(march.view, q);
+        float rise = surface - before;
+        if (behind && rise < -margin && surface > march.enter && surface < edge_enter) {
+            // The line met the background while hidden.
+            float shown = length(march.image.from + surface * march.image.speed - edge) <
+                                  length(march.image.from + surface * march.image.speed - q)
+                              ? edge_surface
+                              : surface;
+            Corners c = corners_of(march.view, shown == surface ? q : edge, shown, max(margin, 0.03 * shown));
+            return Surface(colour_of(march.view, c), surface);
         }
-        if (near_b <= 0.0)
+        behind = behind && surface > march.enter;
+        if (!behind && surface >= march.leave) {
+            bool passes_behind = false;
+            if (surface > march.enter) {
+                vec2 next_q = march.image.from + (1.5 * march.leave - 0.5 * march.enter) * march.image.speed;
+                float next_rise = nearness_at(march.view, next_q) - surface;
+                passes_behind = min(abs(rise - slope), abs(rise - next_rise)) > margin;
+            }
+            int other = passes_behind || is_outside(q) ? view_seeing(line, scene_eye, units, march.enter, tried) : -1;
+            if (other >= 0) {
+                tried |= 1 << other;
+                begin(march, line, scene_eye, other, march.enter);
+                surface = nearness_at(other, middle_of(march));
+                slope = 0.0;
+                continue;
+            }
+            if (!passes_behind)
+                return crossed(march, surface, margin);
+            behind = true;
+            edge = q + sign(march.image.speed) * min(vec2(1), march.pace / max(march.pace.x, march.pace.y));
+            edge_surface = before;
+            edge_enter = march.enter;
+            edge_view = march.view;
+        }
+        slope = rise;
+        if (march.leave <= 0.0)
             break;
-        before = surface_a;
-        surface_a = surface_b;
-        near_a = near_b;
+        go_on(march);
     }
     // The line never emerged: the background beside the edge behind which it passed.
-    Corners c = corners_of(entry_view, entry_q, entry_surface, 0.03 * entry_surface);
-    return Surface(colour_of(entry_view, c), entry_surface);
+    Corners c = corners_of(edge_view, edge, edge_surface, 0.03 * edge_surface);
+    return Surface(colour_of(edge_view, c), edge_surface);
 }
 
 // The tints of depth_picture.cpp, and a pattern: soft is dotted, beyond is striped.
