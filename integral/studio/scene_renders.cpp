@@ -68,6 +68,7 @@ bool serves(const ProbeRequest& had, const ProbeRequest& needed)
 struct SceneRenders::Job {
     ScratchFolder scratch;
     std::optional<ProbeRequest> probe; ///< what it renders: this, or else `exact`
+    std::optional<PrintRequest> print; ///< or this
     ExactRequest exact;
     int draft = 1;
     Clock::time_point began = Clock::now();
@@ -128,6 +129,22 @@ void SceneRenders::stop_exact()
     wanted_exact_ = 0;
 }
 
+void SceneRenders::request_print(const PlacementSettings& settings, const std::string& file)
+{
+    const std::lock_guard lock(mutex_);
+    next_print_ = PrintRequest{file, settings};
+    print_is_stopped_ = false;
+    print_.clear();
+    change();
+}
+
+void SceneRenders::stop_print()
+{
+    const std::lock_guard lock(mutex_);
+    next_print_.reset();
+    print_is_stopped_ = true;
+}
+
 std::string SceneRenders::state() const
 {
     const std::lock_guard lock(mutex_);
@@ -135,6 +152,7 @@ std::string SceneRenders::state() const
                 {"exact", exact_ ? exact_->number : 0},
                 {"draft", exact_ ? exact_->draft : 0},
                 {"seconds", exact_ ? exact_->seconds : 0},
+                {"print", print_.empty() ? Json() : Json(print_)},
                 {"work", work_.empty() ? Json() : Json(work_)},
                 {"progress", progress_},
                 {"problem", problem_.empty() ? Json() : Json(problem_)}}
@@ -190,6 +208,7 @@ void SceneRenders::work()
         return;
     std::optional<ProbeRequest> probe;
     std::optional<ExactRequest> exact;
+    std::optional<PrintRequest> print;
     {
         const std::lock_guard lock(mutex_);
         if (!work_.empty()) {
@@ -199,12 +218,16 @@ void SceneRenders::work()
         if (!problem_.empty() || listeners_ == 0)
             return;
         // The first probe shows something at once; later ones wait until the exact draft is there.
-        if (next_probe_ && (!probe_ || !next_exact_))
+        if (next_print_ && probe_)
+            print.swap(next_print_);
+        else if (next_probe_ && (!probe_ || !next_exact_))
             probe.swap(next_probe_);
         else
             exact.swap(next_exact_);
     }
-    if (probe)
+    if (print)
+        begin_print(*print);
+    else if (probe)
         begin_probe(*probe);
     else if (exact)
         begin_exact(*exact);
@@ -214,9 +237,11 @@ void SceneRenders::work()
 bool SceneRenders::is_abandoned() const
 {
     const std::lock_guard lock(mutex_);
-    return (!job_->probe && job_->exact.number != wanted_exact_) ||
-           (job_->probe && probe_ && next_exact_) ||
-           (listeners_ == 0 && Clock::now() - left_ > time_without_listeners);
+    if (listeners_ == 0 && Clock::now() - left_ > time_without_listeners)
+        return true;
+    return job_->print   ? print_is_stopped_
+           : job_->probe ? probe_ && next_exact_
+                         : job_->exact.number != wanted_exact_;
 }
 
 /// Begins anew if one of the scene's files has changed.
@@ -276,17 +301,39 @@ void SceneRenders::begin_exact(const ExactRequest& request)
     auto job = std::make_unique<Job>();
     job->exact = request;
     job->draft = draft_of_four_views(frame);
-    std::vector<std::string> words = scene_words(scene_);
-    words.insert(words.end(), options_.begin(), options_.end());
-    for (const char* word : {"-A", "-P", "+FN8", "Integral_Audit=off", "Integral_Fit=",
-                             "Integral_Quilt=", "Integral_Depth_Image=", "Integral_Error_Image="})
+    std::vector<std::string> words = words_for(request.settings, frame);
+    for (const char* word : {"-A", "Integral_Audit=off", "Integral_Depth_Image=",
+                             "Integral_Error_Image="})
         words.push_back(word);
-    words.push_back("+W" + std::to_string(frame.film.width));
-    words.push_back("+H" + std::to_string(frame.film.height));
-    words.push_back("Integral_Camera=" + words_of_settings(request.settings, frame));
     words.push_back("Integral_Draft=" + std::to_string(job->draft));
     words.push_back("+O" + quoted(job->picture()));
     begin(std::move(job), words);
+}
+
+void SceneRenders::begin_print(const PrintRequest& request)
+{
+    auto job = std::make_unique<Job>();
+    job->print = request;
+    std::vector<std::string> words = words_for(
+        request.settings, frame_of_settings(request.settings, &probe()->depths));
+    words.push_back("+A0.3");
+    words.push_back("Integral_Draft=1");
+    words.push_back("+O" + quoted(request.file));
+    begin(std::move(job), words);
+}
+
+/// The words of povray-integral's command line that are the same for drafts and print.
+std::vector<std::string> SceneRenders::words_for(const PlacementSettings& settings,
+                                                 const FrameMetadata& frame) const
+{
+    std::vector<std::string> words = scene_words(scene_);
+    words.insert(words.end(), options_.begin(), options_.end());
+    for (const char* word : {"-P", "+FN8", "Integral_Fit=", "Integral_Quilt="})
+        words.push_back(word);
+    words.push_back("+W" + std::to_string(frame.film.width));
+    words.push_back("+H" + std::to_string(frame.film.height));
+    words.push_back("Integral_Camera=" + words_of_settings(settings, frame));
+    return words;
 }
 
 void SceneRenders::begin(std::unique_ptr<Job> job, const std::vector<std::string>& words)
@@ -296,7 +343,7 @@ void SceneRenders::begin(std::unique_ptr<Job> job, const std::vector<std::string
     job->child.emplace(line, ".", job->log());
     job_ = std::move(job);
     const std::lock_guard lock(mutex_);
-    work_ = job_->probe ? "probe" : "exact";
+    work_ = job_->print ? "print" : job_->probe ? "probe" : "exact";
     progress_ = 0;
     change();
 }
@@ -340,6 +387,12 @@ void SceneRenders::finish(const Job& job)
         const std::lock_guard lock(mutex_);
         probe_ = std::move(probe);
         ++probe_number_;
+        change();
+        return;
+    }
+    if (job.print) {
+        const std::lock_guard lock(mutex_);
+        print_ = job.print->file;
         change();
         return;
     }

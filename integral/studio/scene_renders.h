@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Runs the renderer for the studio: probes of a scene, and exact drafts of its print.
+// Runs the renderer for the studio: probes of a scene, exact drafts of its print, and the print.
 #ifndef INTEGRAL_STUDIO_SCENE_RENDERS_H
 #define INTEGRAL_STUDIO_SCENE_RENDERS_H
 
@@ -23,8 +23,9 @@ struct ExactDraft {
 };
 
 /// Renders in the background, one picture at a time: a small probe first, then exact drafts as soon
-/// as they are requested, and a probe with side views while nothing else is to be done. A change of
-/// the scene's files starts this anew. Nothing is rendered while no page listens.
+/// as they are requested, and a probe with side views while nothing else is to be done. The print
+/// itself waits for the picture under way, and other pictures wait for the print. A change of the
+/// scene's files starts this anew. Nothing is rendered while no page listens.
 class SceneRenders {
 public:
     /// `scene`: a scene's name (names_scene); `options`: further words for povray-integral. Throws
@@ -43,9 +44,15 @@ public:
     /// Ends the work on exact drafts.
     void stop_exact();
 
+    /// Requests the print for settings, anti-aliased, as `file` (.png).
+    void request_print(const PlacementSettings& settings, const std::string& file);
+    /// Ends the work on the print.
+    void stop_print();
+
     /// The state as JSON on one line: probe (its number; 0: none), exact (its request's number; 0:
-    /// none), draft and seconds of that, work (what is being rendered: "probe", "exact" or null),
-    /// progress (0 to 1), problem (why the scene cannot be rendered, or null).
+    /// none), draft and seconds of that, print (the file of the newest print, or null), work (what is
+    /// being rendered: "probe", "exact", "print" or null), progress (0 to 1), problem (why the scene
+    /// cannot be rendered, or null).
     std::string state() const;
 
     /// A page that listens: counted from its construction to its destruction.
@@ -76,12 +83,19 @@ private:
         int number = 0;
         PlacementSettings settings;
     };
+    struct PrintRequest {
+        std::string file;
+        PlacementSettings settings;
+    };
 
     void change();
     void watch_files();
     bool is_abandoned() const;
     void begin_probe(const ProbeRequest& request);
     void begin_exact(const ExactRequest& request);
+    void begin_print(const PrintRequest& request);
+    std::vector<std::string> words_for(const PlacementSettings& settings,
+                                       const FrameMetadata& frame) const;
     void begin(std::unique_ptr<Job> job, const std::vector<std::string>& words);
     void watch_job();
     void finish(const Job& job);
@@ -101,6 +115,9 @@ private:
     std::shared_ptr<const ExactDraft> exact_;
     std::optional<ExactRequest> next_exact_;
     int wanted_exact_ = 0; ///< number of the request that is not stopped; 0: none
+    std::optional<PrintRequest> next_print_;
+    bool print_is_stopped_ = false;
+    std::string print_; ///< the newest print's file
     std::string work_, problem_;
     double progress_ = 0;
 

@@ -64,6 +64,12 @@ std::string stem_of(const std::string& scene)
     return std::filesystem::path(without_section(scene)).stem().string();
 }
 
+/// The name of a file about the scene's print, for the working folder.
+std::string print_name(const std::string& scene, const char* extension)
+{
+    return stem_of(scene) + "-on-sheet" + extension;
+}
+
 } // namespace
 
 Studio::Studio(const std::string& scene, const std::vector<std::string>& options,
@@ -105,8 +111,12 @@ ServerAnswer Studio::post(const ServerRequest& request)
         return json_answer(figures(request.body));
     if (request.path == "/save")
         return json_answer(save(settings_from_json(request.body)));
-    if (request.path == "/stop") {
-        renders_.stop_exact();
+    if (request.path == "/stop" || request.path == "/stop-print") {
+        request.path == "/stop" ? renders_.stop_exact() : renders_.stop_print();
+        return json_answer("{}");
+    }
+    if (request.path == "/print") {
+        renders_.request_print(settings_from_json(request.body), print_name(scene_, ".png"));
         return json_answer("{}");
     }
     const int number = exact_number(request.path);
@@ -133,7 +143,7 @@ std::string Studio::save(const PlacementSettings& settings) const
     if (!probe)
         throw std::invalid_argument("the scene has not been looked at yet; save when it is seen");
     const FrameMetadata frame = frame_of_settings(settings, &probe->depths);
-    const std::string name = stem_of(scene_) + "-on-sheet.ini",
+    const std::string name = print_name(scene_, ".ini"),
                       command = "povray-integral " + name;
     std::string text = "; " + stem_of(scene_) + ", placed on a sheet by integral studio.\n; " +
                        command + " +A0.3\n";

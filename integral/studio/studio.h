@@ -17,6 +17,8 @@ namespace integral {
 /// - POST "/figures" with settings (settings_from_json): settings_figures. Without settings: those
 ///   of first_settings, in the field `settings`.
 /// - POST "/exact/NUMBER" with settings: requests the exact draft. POST "/stop": ends that work.
+/// - POST "/print" with settings: requests the print, in the working folder; POST "/stop-print"
+///   ends that work.
 /// - POST "/save" with settings: writes an INI file into the working folder; answers with `file`
 ///   and `command`, which renders it.
 /// Settings that cannot work are answered by status 400 and a sentence. No path names a file.

@@ -170,6 +170,7 @@ function listen() {
       load_exact(scene.exact).catch(failed);
     say_problem(scene.problem);
     show_badge();
+    show_print();
   };
   events.onerror = () => {
     if (events.readyState === EventSource.CLOSED)
@@ -341,6 +342,8 @@ function draw_depths() {
 
 // Text and controls.
 
+let printing = false;
+
 function say_problem(text) {
   element("problem").hidden = !text;
   element("problem").textContent = text ?? "";
@@ -348,12 +351,20 @@ function say_problem(text) {
 
 function show_badge() {
   const percent = ` ${Math.round(100 * scene.progress)} %`;
-  const working = scene.work === "exact" ? ", rendering the exact draft" + percent : scene.work === "probe" ? ", looking at the scene" + percent : "";
+  const working = scene.work === "print" ? ", rendering the print" + percent : scene.work === "exact" ? ", rendering the exact draft" + percent : scene.work === "probe" ? ", looking at the scene" + percent : "";
   const badge = element("badge");
   badge.classList.toggle("exact", is_exact());
   badge.textContent = !probe ? "Looking at the scene" + (scene.work ? percent : " ...")
     : is_exact() ? `Exact${scene.draft > 1 ? `, from a draft 1:${scene.draft}` : ""} (${figures_of(scene.seconds, 2)} s)`
     : "Live" + working;
+}
+
+function show_print() {
+  printing &&= !scene.print && !scene.problem;
+  element("print").textContent = printing ? "Stop rendering the print" : "Render the print";
+  element("print").setAttribute("aria-pressed", String(printing));
+  if (scene.print)
+    element("saved").textContent = `${scene.print} is there. See it: integral replay ${scene.print} -o view.png. Make a page of it: integral print ${scene.print} -o page.pdf`;
 }
 
 function show_eye() {
@@ -465,6 +476,17 @@ function on_controls() {
     element("words").select();
     navigator.clipboard?.writeText(element("words").value);
     element("saved").textContent = "The words are copied: Integral_Camera=\"...\" takes them, and so does camera { integral ... }.";
+  });
+  element("print").addEventListener("click", async () => {
+    try {
+      await (printing ? post("/stop-print") : post("/print", settings()));
+      printing = !printing;
+      scene.print = null;
+      element("saved").textContent = "";
+      show_print();
+    } catch (error) {
+      say_problem(error.message);
+    }
   });
   element("save").addEventListener("click", async () => {
     try {
