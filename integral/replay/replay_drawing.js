@@ -33,6 +33,40 @@ function view_steps(geometry, part, axis, count) {
   return texels;
 }
 
+// While something moves on slow graphics, pictures have fewer pixels, so that some ten a second are
+// drawn; they get sharp when nothing moves.
+class CoarseMode {
+  moving = false;
+  timer = 0;
+  slow = 1; // share of the pixels across and down while something moves
+
+  // `redraw`: requests a picture.
+  constructor(redraw) { this.redraw = redraw; }
+
+  // Something moves: requests a picture now and, when nothing has moved for a moment, a sharp one.
+  moves() {
+    this.moving = true;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => { this.moving = false; this.redraw(); }, 200);
+    this.redraw();
+  }
+
+  get scale() { return this.moving ? this.slow : 1; }
+
+  // After a picture that was begun at `began` (performance.now()): adapts to how long it took.
+  drawn(gl, began) {
+    const too_slow = 90, quick = 30, least = 0.2; // milliseconds; least share
+    if (!this.moving)
+      return;
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the picture
+    const ms = performance.now() - began;
+    if (ms > too_slow)
+      this.slow = Math.max(least, this.slow * Math.max(0.4, Math.sqrt(too_slow / ms)));
+    else if (ms < quick)
+      this.slow = Math.min(1, 1.2 * this.slow);
+  }
+}
+
 // One triangle that covers the viewport.
 const covering_triangle = `#version 300 es
   void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); }`;

@@ -46,6 +46,16 @@ std::string page_picture(const Frame& frame)
     return base64(encode_png(picture));
 }
 
+/// A small picture of the first view, as HTML, which the page shows while it decodes the frame.
+std::string still_picture(const Frame& frame, View view)
+{
+    constexpr int longer_side = 640, quality = 85;
+    set_view_size(view, frame.metadata->film, longer_side);
+    const Image still = converted(*replay(frame, view), 8, Encoding{}, false);
+    return "<img id=\"still\" alt=\"\" src=\"data:image/jpeg;base64," +
+           base64(encode_jpeg(still, quality)) + "\">\n";
+}
+
 /// The page without the pieces of its frames. `with_comparison`: with the script for two frames.
 std::string page_shell(bool with_comparison, const PageAdditions& additions)
 {
@@ -55,6 +65,7 @@ std::string page_shell(bool with_comparison, const PageAdditions& additions)
     return filled_template(replay_page_html,
                      {{"STYLE_NONCE", additions.nonce},
                       {"HEAD", additions.head},
+                      mark("STILL"),
                       mark("FRAME"),
                       mark("COMPARISON"),
                       mark("GEOMETRY"),
@@ -66,9 +77,12 @@ std::string page_shell(bool with_comparison, const PageAdditions& additions)
                       {"END", additions.end}});
 }
 
-TemplatePieces pieces_of(const Frame& frame, const std::string& comparison, const Json& start)
+/// The pieces of a frame's page. `still`: see still_picture.
+TemplatePieces pieces_of(const Frame& frame, const std::string& still, const std::string& comparison,
+                         const Json& start)
 {
-    return {{"FRAME", page_picture(frame)},
+    return {{"STILL", still},
+            {"FRAME", page_picture(frame)},
             {"COMPARISON", comparison},
             {"GEOMETRY", json_within_html(to_json(*frame.metadata))},
             {"START", json_within_html(start.dump())}};
@@ -119,7 +133,8 @@ std::string replay_page(const Frame& frame, const View& start)
     const std::string obstacle = page_obstacle(frame);
     if (!obstacle.empty())
         throw std::invalid_argument("--html: " + obstacle);
-    return filled_template(page_shell(false, {}), pieces_of(frame, "", start_of(start, *frame.metadata)));
+    return filled_template(page_shell(false, {}), pieces_of(frame, still_picture(frame, start), "",
+                                     start_of(start, *frame.metadata)));
 }
 
 ComparedPictures compared_pictures(const Frame& reference, const Frame& result,
@@ -172,7 +187,7 @@ TemplatePieces comparison_pieces(const ComparedPictures& pictures, bool keys_for
     if (!obstacle.empty())
         start["flat"] = "Without lenses, as " + obstacle + ".";
     if (!second)
-        return pieces_of(*first, "", start);
+        return pieces_of(*first, "", "", start);
 
     View second_view = view;
     if (obstacle.empty()) {
@@ -188,7 +203,7 @@ TemplatePieces comparison_pieces(const ComparedPictures& pictures, bool keys_for
                 {"words", pictures.worst_words}};
     }
     start["second_blur"] = second_view.blur;
-    return pieces_of(*first,
+    return pieces_of(*first, "",
                      filled_template(comparison_part_html,
                                {{"SECOND", page_picture(*second)},
                                 {"SECOND_GEOMETRY", json_within_html(to_json(*second->metadata))}}),

@@ -82,7 +82,8 @@ function move_eye(x, y) {
 // Drawing.
 const quick = 4; // samples across a pixel while the eye moves, at most
 const gap = 8;   // between two views side by side
-let gl, drawing, ready = false, drawn = "", pending = 0, settling = 0, moving = false;
+let gl, drawing, ready = false, drawn = "", pending = 0;
+const coarse = new CoarseMode(request);
 let views = [1, 1]; // number side by side, and above each other
 
 // The part of the sheet that a view of `size` pixels shows so that it contains `part` unstretched:
@@ -102,21 +103,28 @@ function loaded(part) {
   return new Promise((done) => setTimeout(done));
 }
 
+// Width and height of the place for the picture, in the page's pixels.
+function room_for_view() {
+  const around = 150; // title, caption and margins
+  const whole = state.bare || document.fullscreenElement;
+  return [canvas.parentElement.clientWidth, whole ? innerHeight : Math.max(200, innerHeight - around)];
+}
+
 // Each view has the size in the fragment or in the page's data, or else fits the window. Two views
 // are side by side or above each other, whichever makes them larger.
 function fit() {
   const dots = devicePixelRatio || 1, most = gl.getParameter(gl.MAX_TEXTURE_SIZE), beside = comparison?.shown === "beside";
-  let size = state.size, part = state.part;
+  let size = state.size, part = state.part, coarser = 1;
   views = beside ? [2, 1] : [1, 1];
   if (!size) {
-    const [, , width, height] = part;
-    const room = [canvas.parentElement.clientWidth, state.bare ? innerHeight : Math.max(200, 0.54 * innerHeight)];
+    const [, , width, height] = part, room = room_for_view();
     const scale_of = ([across, down]) => Math.min((room[0] - gap * (across - 1)) / (across * width),
                                                   (room[1] - gap * (down - 1)) / (down * height));
     if (beside && scale_of([1, 2]) > scale_of(views))
       views = [1, 2];
     const scale = Math.max(scale_of(views), 0) * dots;
-    size = [width * scale, height * scale];
+    coarser = coarse.scale;
+    size = [width * scale * coarser, height * scale * coarser];
   }
   size = size.map((v) => within(Math.round(v), 1, most));
   if (state.size && state.contain)
@@ -126,24 +134,26 @@ function fit() {
   drawn = String([size, part, views]);
   const whole = size.map((v, axis) => v * views[axis] + Math.round(gap * dots) * (views[axis] - 1));
   [canvas.width, canvas.height] = whole;
-  canvas.style.width = whole[0] / dots + "px";
-  canvas.style.height = whole[1] / dots + "px";
+  canvas.style.width = whole[0] / (dots * coarser) + "px";
+  canvas.style.height = whole[1] / (dots * coarser) + "px";
   drawing.set_view(size, part);
 }
 
 // The view of a frame. Each frame has its own lenses' blur, unless the fragment gives one.
 function view_of(index) {
   const blur = index > 0 && state.blur === start.blur ? start.second_blur : state.blur;
-  return { ...state, blur, samples: moving ? Math.min(quick, samples()) : samples() };
+  return { ...state, blur, samples: coarse.moving ? Math.min(coarse.scale < 1 ? 2 : quick, samples()) : samples() };
 }
 
 function draw() {
   pending = 0;
+  const began = performance.now();
   fit();
   if (comparison)
     comparison.draw(drawing, [view_of(0), view_of(1)], canvas);
   else
     drawing.draw(0, view_of(0));
+  coarse.drawn(gl, began);
   document.body.dataset.drawn = canvas.width + "x" + canvas.height;
 }
 
@@ -152,15 +162,11 @@ function request() {
     pending = requestAnimationFrame(draw);
 }
 
-// Redraws after a move of the eye: at once with few samples, and with all when it stops.
+// Redraws after a move of the eye.
 function changed() {
   focus_before_eye();
-  clearTimeout(settling);
-  moving = samples() > quick;
-  if (moving)
-    settling = setTimeout(() => { moving = false; request(); }, 150);
   show_state();
-  request();
+  coarse.moves();
 }
 
 // The text on the page.
@@ -245,15 +251,15 @@ function trouble(text) {
 }
 
 // Input that moves the eye.
-const reach = 1.2; // width of the picture, in widths of the zone
 
-// A mouse sets the eye's position; a finger moves it by the distance dragged.
+// A mouse sets the eye's position: the picture's width and height are the zone's. A finger moves it by
+// the distance dragged.
 function on_pointer() {
   let held = null; // last position of the finger
   const moved = (event) => {
     const box = canvas.getBoundingClientRect(), [width, height] = zone(state.eye[2]), [x, y] = state.eye;
     const view_width = box.width / views[0], view_height = box.height / views[1];
-    const mm_across = reach * width / view_width, mm_down = reach * height / view_height;
+    const mm_across = width / view_width, mm_down = height / view_height;
     if (event.pointerType !== "touch") {
       if (event.buttons || !calm.matches)
         move_eye(mm_across * ((event.clientX - box.left) % view_width - view_width / 2),
@@ -332,6 +338,7 @@ function on_controls() {
     element(id).addEventListener("input", (event) => { state[id] = Number(event.target.value); changed(); });
   element("raw").addEventListener("change", (event) => { state.raw = event.target.checked; changed(); });
   element("reset").addEventListener("click", reset);
+  element("full").addEventListener("click", () => document.fullscreenElement ? document.exitFullscreen() : canvas.parentElement.requestFullscreen());
   element("tilt").hidden = !("DeviceOrientationEvent" in window && matchMedia("(pointer: coarse)").matches);
   element("tilt").addEventListener("click", () => tilt().catch((error) => trouble(String(error.message))));
   document.addEventListener("keydown", on_key);
@@ -349,6 +356,8 @@ async function begin() {
     await drawing.add(frame, state.tile, loaded);
   ready = true;
   element("loading").hidden = true;
+  canvas.hidden = false;
+  element("still")?.remove();
   draw();
 }
 
@@ -356,6 +365,7 @@ async function begin() {
 function give_up(why) {
   ready = false;
   element("loading").hidden = true;
+  element("still")?.remove();
   document.body.classList.add("flat");
   trouble(why + " Below is the frame as it is on the film.");
 }
@@ -372,6 +382,11 @@ read_fragment();
 show_geometry();
 on_controls();
 show_state();
+if (element("still")) { // as large as the picture will be
+  const [, , width, height] = state.part, room = room_for_view(), scale = Math.min(room[0] / width, room[1] / height);
+  Object.assign(element("still").style, { width: width * scale + "px", height: height * scale + "px" });
+  canvas.hidden = true;
+}
 const context = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
 const run = () => begin().catch((error) => give_up(error.message));
 canvas.addEventListener("webglcontextlost", (event) => { event.preventDefault(); ready = false; });

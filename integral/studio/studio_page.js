@@ -127,7 +127,7 @@ function changed() {
   }
   exact.number = 0;
   settling = setTimeout(settled, still);
-  moves();
+  coarse.moves();
   refresh();
 }
 
@@ -192,13 +192,13 @@ function eye_mm() {
 
 function move_eye(x, y) {
   state.eye = [within(x, -3, 3), within(y, -3, 3), state.eye[2]];
-  moves();
+  coarse.moves();
   show_eye();
 }
 
 function set_eye_distance(times) {
   state.eye[2] = within(times, 0.1, 10);
-  moves();
+  coarse.moves();
   show_eye();
 }
 
@@ -206,32 +206,14 @@ function set_eye_distance(times) {
 
 let gl = null, live = null, replay = null, pending = 0, drawn_size = "";
 
-// While something moves on slow graphics, the picture has fewer pixels and samples, so that ten
-// pictures a second are drawn; it gets sharp when nothing moves.
-const coarse = { scale: 1, moving: false, timer: 0 };
-const slow_ms = 90, quick_ms = 30, least_scale = 0.2;
-
-function moves() {
-  coarse.moving = true;
-  clearTimeout(coarse.timer);
-  coarse.timer = setTimeout(() => { coarse.moving = false; request_drawing(); }, 200);
-  request_drawing();
-}
-
-// Adapts to the milliseconds of a picture drawn while something moved.
-function adapt(ms) {
-  if (ms > slow_ms)
-    coarse.scale = Math.max(least_scale, coarse.scale * Math.max(0.4, Math.sqrt(slow_ms / ms)));
-  else if (ms < quick_ms)
-    coarse.scale = Math.min(1, 1.2 * coarse.scale);
-}
+const coarse = new CoarseMode(request_drawing);
 
 function is_exact() { return exact.number > 0 && !state.tint; }
 
 function fit_canvas() {
   const stage = element("stage"), dots = devicePixelRatio || 1;
   const room = [stage.clientWidth, stage.clientHeight], scale = Math.min(room[0] / state.width, room[1] / state.height);
-  const most = gl.getParameter(gl.MAX_TEXTURE_SIZE), finer = dots * (coarse.moving ? coarse.scale : 1);
+  const most = gl.getParameter(gl.MAX_TEXTURE_SIZE), finer = dots * coarse.scale;
   const size = [state.width, state.height].map((mm) => within(Math.round(mm * scale * finer), 1, most));
   const key = [size, exact.number, probe !== null].join();
   if (key === drawn_size)
@@ -262,10 +244,7 @@ function draw() {
     replay.draw(0, { eye, pupil: 0, focus: 0, gap: 0, blur: 0, samples: coarse.moving ? 1 : 3, raw: false });
   else
     live.draw(eye, placement(), { samples: coarse.moving ? 1 : 2, tint: state.tint ? figures.budget_mm ?? 0 : 0 });
-  if (coarse.moving) {
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the picture
-    adapt(performance.now() - began);
-  }
+  coarse.drawn(gl, began);
   document.body.dataset.drawn = is_exact() ? "exact" : "live";
 }
 
@@ -305,7 +284,7 @@ function distance_at(place) { return depths.least * (depths.greatest / depths.le
 function draw_depths() {
   if (!probe || !figures?.placement)
     return;
-  const paper = depth_canvas.getContext("2d"), { width, height } = depth_canvas, floor = height - 34;
+  const paper = depth_canvas.getContext("2d"), { width, height } = depth_canvas, floor = height - 52;
   const x_of = (distance) => distance === null ? width : width * within(place_of(Math.max(distance, 1e-12)), -1, 2);
   paper.clearRect(0, 0, width, height);
   const band = (ends, colour) => {
