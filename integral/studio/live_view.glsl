@@ -261,7 +261,7 @@ vec2 middle_of(March march) { return march.image.from + 0.5 * (march.enter + mar
 
 // The surface nearest to the viewer along a line. A view is a height field over its picture. Where
 // the line passes behind an edge it goes on in another view that sees it, or behind the edge until it
-// emerges, or meets the background, which then has the colour beside the edge.
+// emerges, or meets the background, which then has the colour next to the edge.
 Surface surface_along(SightLine line, vec2 scene_eye)
 {
     vec2 units = scene_eye * (sheet_distance / (scene_distance * probe_distance));
@@ -270,7 +270,7 @@ Surface surface_along(SightLine line, vec2 scene_eye)
     begin(march, line, scene_eye, view, max_nearness * 1.0001);
     vec2 q = middle_of(march);
     float surface = nearness_at(view, q), before = surface, rise = 0.0, slope = 0.0, margin = 0.0;
-    vec2 edge = q; // the background's pixel beside the edge
+    vec2 edge = q; // the background's pixel next to the edge
     float edge_surface = surface, edge_enter = 0.0;
     int edge_view = view;
     bool behind = false;
@@ -327,7 +327,7 @@ Surface surface_along(SightLine line, vec2 scene_eye)
     float about = surface, nu = clamp(surface, march.leave, march.enter);
     int turns = 2;
     if (state == met_hidden) {
-        // The nearer place beside the hidden part.
+        // The nearer place next to the hidden part.
         turns = 0;
         vec2 hidden = march.image.from + surface * march.image.speed;
         if (length(hidden - edge) < length(hidden - q)) {
@@ -335,7 +335,7 @@ Surface surface_along(SightLine line, vec2 scene_eye)
             about = edge_surface;
         }
     } else if (state == ended) {
-        // The line never emerged: the background beside the edge behind which it passed.
+        // The line never emerged: the background next to the edge behind which it passed.
         turns = 0;
         q = edge;
         about = nu = edge_surface;
