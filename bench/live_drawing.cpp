@@ -18,8 +18,8 @@ namespace {
 constexpr char covering_triangle[] = R"(#version 300 es
 void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); })";
 
-constexpr int most_views = 32;       // max_views of live_view.glsl
-constexpr float no_limit = 1e30f;    // of the aperture
+constexpr int most_views = 32;        // max_views of live_view.glsl
+constexpr float no_limit = 1e30f;     // of the aperture
 constexpr float point_sized = 1e-30f; // half an extent of 0
 
 EGLDisplay display_without_window()
@@ -168,7 +168,8 @@ void LiveDrawing::set_probe(const Probe& probe)
         std::vector<float> relative;
         for (const float nearness : v.nearness)
             relative.push_back(float(nearness * probe.sheet_distance));
-        c.max_nearness = std::max(c.max_nearness, *std::max_element(relative.begin(), relative.end()));
+        c.max_nearness = std::max(c.max_nearness,
+                                  *std::max_element(relative.begin(), relative.end()));
         c.eyes.push_back(float(v.eye.x / probe.sheet_distance));
         c.eyes.push_back(float(v.eye.y / probe.sheet_distance));
         glActiveTexture(GL_TEXTURE2);
@@ -204,7 +205,8 @@ void LiveDrawing::Context::set_sheet() const
     number("thickness", sheet.thickness);
     number("n_squared", ior * ior);
     number("m", (ior - 1) * (ior + 1));
-    pair("view_pixel", {film.width * film.pixel_pitch.x / width, film.height * film.pixel_pitch.y / height});
+    pair("view_pixel",
+         {film.width * film.pixel_pitch.x / width, film.height * film.pixel_pitch.y / height});
     whole("view_height", height);
     const auto half = [](double mm) {
         return std::isinf(mm) ? no_limit : std::max(0.5f * float(mm), point_sized);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The studio's live picture (integral/studio/live_view.glsl) without a browser: the renderer's name,
-// the time of a picture and, against a frame of the scene, PSNR of the live picture to the replay of
-// that frame.
+// The studio's live picture (integral/studio/live_view.glsl) without a browser: the renderer's
+// name, the time of a picture and, against a frame of the scene, PSNR of the live picture to the
+// replay of that frame.
 #include "bench/live_drawing.h"
 #include "bench/program.h"
 
@@ -36,8 +36,9 @@ std::pair<int, int> tile_of(const ViewGrid& grid, int view, int width, int heigh
     return {column * width, quilt_height - (row + 1) * height};
 }
 
-/// The views of a quilt with depths, or those of the given numbers.
-Probe probe_of(const std::string& quilt_file, const std::string& depth_file, std::vector<double> chosen)
+/// Reads the views of a quilt with depths: all, or the numbers in `chosen`.
+Probe probe_of(const std::string& quilt_file, const std::string& depth_file,
+               std::vector<double> chosen)
 {
     const Views quilt = read_views(quilt_file, true);
     const DepthFrame depths = read_depths(depth_file);
@@ -104,7 +105,7 @@ double psnr(const Image& first, const Image& second)
 double milliseconds(const std::function<void()>& work)
 {
     double least = 1e30;
-    for (int run = 0; run < 5; ++run) {
+    for (int run = 0; run < 3; ++run) {
         const auto begun = std::chrono::steady_clock::now();
         work();
         const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begun;
@@ -128,11 +129,13 @@ int run(int count, char** words)
     options::options_description all("options");
     all.add_options()("quilt", options::value<std::string>()->required(), "the probe's pictures")(
         "depths", options::value<std::string>()->required(), "their depths (.exr)")(
-        "views", options::value<std::string>()->default_value(""), "numbers of the probe's views: 0,4,8")(
-        "frame", options::value<std::string>()->required(), "a frame of the scene")(
-        "eye", options::value<std::vector<std::string>>()->default_value({}, ""), "x,y,distance, mm")(
-        "size", options::value<std::string>()->default_value("480,320"), "of the picture")(
-        "samples", options::value<int>()->default_value(3), "across a pixel")(
+        "views", options::value<std::string>()->default_value(""),
+        "numbers of the probe's views: 0,4,8")("frame", options::value<std::string>()->required(),
+                                               "a frame of the scene")(
+        "eye", options::value<std::vector<std::string>>()->default_value({}, ""),
+        "x,y,distance, mm")("size", options::value<std::string>()->default_value("480,320"),
+                            "of the picture")("samples", options::value<int>()->default_value(3),
+                                              "across a pixel")(
         "steps", options::value<int>()->default_value(64), "at most, along a line")(
         "tint", options::value<double>()->default_value(0), "depth budget, mm")(
         "without-sheet", options::bool_switch(), "the eye's rays go on straight")(
@@ -144,10 +147,9 @@ int run(int count, char** words)
     const auto arguments = parsed(count, words, all);
     const auto text = [&](const char* name) { return arguments[name].as<std::string>(); };
     const std::string folder = text("shaders");
-    LiveDrawing drawing(folder.empty()
-                            ? std::string(sheet_optics_glsl) + live_view_glsl
-                            : file_text(folder + "/replay/sheet_optics.glsl") +
-                                  file_text(folder + "/studio/live_view.glsl"));
+    LiveDrawing drawing(folder.empty() ? std::string(sheet_optics_glsl) + live_view_glsl
+                                       : file_text(folder + "/replay/sheet_optics.glsl") +
+                                             file_text(folder + "/studio/live_view.glsl"));
     const Frame frame = read_frame_with_metadata(text("frame"));
     if (!frame.metadata->placement)
         throw UsageError(text("frame") + ": has no placement in a scene");
@@ -165,7 +167,9 @@ int run(int count, char** words)
             drawing.set_view(width, height, *frame.metadata);
             const double ms = milliseconds(
                 [&] { drawing.draw(centre_eye(*frame.metadata), placement, how); });
-            std::printf("%dx%d %d samples: %.1f ms\n", width, height, how.samples * how.samples, ms);
+            std::printf("%dx%d, %d samples a pixel: %.1f ms\n", width, height,
+                        how.samples * how.samples, ms);
+            std::fflush(stdout);
         }
     }
     const auto size = numbers(text("size"));
@@ -201,5 +205,6 @@ int run(int count, char** words)
 
 int main(int count, char** words)
 {
-    return integral::bench::status_of("live_view", [&] { return integral::bench::run(count, words); });
+    return integral::bench::status_of("live_view",
+                                      [&] { return integral::bench::run(count, words); });
 }

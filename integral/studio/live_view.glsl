@@ -126,11 +126,15 @@ vec2 to_pole_seeing_centre(vec2 film_point)
 // the lens that sees the aperture (optics.md 4, `auto`). Returns false if no lens images the point.
 bool sight_line(ViewCorner from, vec2 offset, out SightLine line)
 {
-    vec2 film_point = from.place + offset;
-    if (line_through(film_point, to_nearest_pole(from, offset), line) && in_aperture(line.aperture))
-        return true;
-    vec2 ideal = to_pole_seeing_centre(film_point);
-    return line_through(film_point, ideal + to_nearest_pole(from, offset + ideal), line) && in_aperture(line.aperture);
+    vec2 film_point = from.place + offset, place = vec2(0);
+    bool imaged = false;
+    // A loop, as some processors compute both sides of a branch.
+    for (int search = 0; search < 2 && !imaged; ++search) {
+        if (search == 1)
+            place = to_pole_seeing_centre(film_point);
+        imaged = line_through(film_point, place + to_nearest_pole(from, offset + place), line) && in_aperture(line.aperture);
+    }
+    return imaged;
 }
 
 // A view's image of a line: q(nu) in pixels of the probe from the upper left is from + nu speed.
@@ -148,7 +152,9 @@ LineImage image_of(SightLine line, vec2 scene_eye, int view)
 
 ivec2 inside_probe(ivec2 texel) { return clamp(texel, ivec2(0), textureSize(nearness, 0).xy - 1); }
 
-float nearness_at(int view, vec2 q) { return texelFetch(nearness, ivec3(inside_probe(ivec2(floor(q))), view), 0).r; }
+float texel_nearness(int view, ivec2 texel) { return texelFetch(nearness, ivec3(inside_probe(texel), view), 0).r; }
+
+float nearness_at(int view, vec2 q) { return texel_nearness(view, ivec2(floor(q))); }
 
 bool is_outside(vec2 q)
 {
@@ -167,30 +173,24 @@ Corners corners_of(int view, vec2 q, float about, float margin)
     vec2 place = q - 0.5, part = place - floor(place);
     Corners c;
     c.first = ivec2(floor(place));
-    for (int k = 0; k < 4; ++k) {
-        ivec2 offset = ivec2(k & 1, k >> 1);
-        float value = texelFetch(nearness, ivec3(inside_probe(c.first + offset), view), 0).r;
-        float weight = (offset.x == 1 ? part.x : 1.0 - part.x) * (offset.y == 1 ? part.y : 1.0 - part.y);
-        c.nearness[k] = value;
-        c.weights[k] = abs(value - about) <= margin ? weight + 1e-6 : 0.0;
-    }
+    c.nearness = vec4(texel_nearness(view, c.first), texel_nearness(view, c.first + ivec2(1, 0)),
+                      texel_nearness(view, c.first + ivec2(0, 1)), texel_nearness(view, c.first + ivec2(1, 1)));
+    vec4 bilinear = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(vec2(1.0 - part.y), vec2(part.y)) + 1e-6;
+    c.weights = bilinear * vec4(lessThanEqual(abs(c.nearness - about), vec4(margin)));
     float total = dot(c.weights, vec4(1));
-    if (total > 0.0) {
-        c.weights /= total;
-    } else {
-        ivec2 nearest = ivec2(floor(q)) - c.first;
-        c.weights[clamp(nearest.x, 0, 1) + 2 * clamp(nearest.y, 0, 1)] = 1.0;
-    }
+    vec2 nearest = step(0.5, part);
+    c.weights = total > 0.0 ? c.weights / total
+                            : vec4(1.0 - nearest.x, nearest.x, 1.0 - nearest.x, nearest.x) *
+                                  vec4(vec2(1.0 - nearest.y), vec2(nearest.y));
     return c;
 }
 
+vec3 texel_colour(int view, ivec2 texel) { return texelFetch(colours, ivec3(inside_probe(texel), view), 0).rgb; }
+
 vec3 colour_of(int view, Corners c)
 {
-    vec3 colour = vec3(0);
-    for (int k = 0; k < 4; ++k)
-        if (c.weights[k] > 0.0)
-            colour += c.weights[k] * texelFetch(colours, ivec3(inside_probe(c.first + ivec2(k & 1, k >> 1)), view), 0).rgb;
-    return colour;
+    return c.weights.x * texel_colour(view, c.first) + c.weights.y * texel_colour(view, c.first + ivec2(1, 0)) +
+           c.weights.z * texel_colour(view, c.first + ivec2(0, 1)) + c.weights.w * texel_colour(view, c.first + ivec2(1, 1));
 }
 
 // The view, not in `tried`, nearest to the eye `scene_eye` (in view_eyes' units) that sees the
@@ -259,80 +259,99 @@ void go_on(inout March march)
 
 vec2 middle_of(March march) { return march.image.from + 0.5 * (march.enter + march.leave) * march.image.speed; }
 
-// The surface that the line crosses in or next to a pixel of nearness `about`.
-Surface crossed(March march, float about, float margin)
-{
-    float low = march.leave - margin, high = march.enter + margin, nu = clamp(about, march.leave, march.enter);
-    margin = max(margin, 0.03 * about);
-    Corners c;
-    for (int i = 0; i < 3; ++i) {
-        c = corners_of(march.view, march.image.from + nu * march.image.speed, about, margin);
-        nu = clamp(dot(c.weights, c.nearness), low, high);
-    }
-    return Surface(colour_of(march.view, c), nu);
-}
-
 // The surface nearest to the viewer along a line. A view is a height field over its picture. Where
 // the line passes behind an edge it goes on in another view that sees it, or behind the edge until it
-// emerges, or meets the background, which then has the colour beside the edge.
+// emerges, or meets the background, which then has the colour next to the edge.
 Surface surface_along(SightLine line, vec2 scene_eye)
 {
     vec2 units = scene_eye * (sheet_distance / (scene_distance * probe_distance));
     int view = view_seeing(line, scene_eye, units, -1.0, 0), tried = 1 << view;
     March march;
     begin(march, line, scene_eye, view, max_nearness * 1.0001);
-    float before = -1.0, surface = nearness_at(view, middle_of(march)), slope = 0.0;
-    bool behind = false;
-    vec2 edge = vec2(0); // the background's pixel beside the edge
-    float edge_surface = 0.0, edge_enter = 0.0;
+    vec2 q = middle_of(march);
+    float surface = nearness_at(view, q), before = surface, rise = 0.0, slope = 0.0, margin = 0.0;
+    vec2 edge = q; // the background's pixel next to the edge
+    float edge_surface = surface, edge_enter = 0.0;
     int edge_view = view;
-    for (int k = 0; k < 3 * max_steps; ++k) {
-        vec2 q = middle_of(march);
-        float margin = 1.5 * march.cell / max(march.pace.x, march.pace.y);
-        before = surface;
-        surface = nearness_at(march.view, q);
-        float rise = surface - before;
-        if (behind && rise < -margin && surface > march.enter && surface < edge_enter) {
-            // The line met the background while hidden.
-            float shown = length(march.image.from + surface * march.image.speed - edge) <
-                                  length(march.image.from + surface * march.image.speed - q)
-                              ? edge_surface
-                              : surface;
-            Corners c = corners_of(march.view, shown == surface ? q : edge, shown, max(margin, 0.03 * shown));
-            return Surface(colour_of(march.view, c), surface);
-        }
-        behind = behind && surface > march.enter;
-        if (!behind && surface >= march.leave) {
-            bool passes_behind = false;
-            if (surface > march.enter) {
-                vec2 next_q = march.image.from + (1.5 * march.leave - 0.5 * march.enter) * march.image.speed;
-                float next_rise = nearness_at(march.view, next_q) - surface;
-                passes_behind = min(abs(rise - slope), abs(rise - next_rise)) > margin;
+    bool behind = false;
+    const int running = 0, reached = 1, met_hidden = 2, crossed = 3, ended = 4;
+    int state = running;
+    for (int steps = 0; state < met_hidden;) {
+        state = running;
+        margin = 1.5 * march.cell / max(march.pace.x, march.pace.y);
+        while (state == running) {
+            q = middle_of(march);
+            before = surface;
+            surface = nearness_at(march.view, q);
+            rise = surface - before;
+            if (behind && rise < -margin && surface > march.enter && surface < edge_enter) {
+                state = met_hidden;
+            } else {
+                behind = behind && surface > march.enter;
+                if (!behind && surface >= march.leave) {
+                    state = reached;
+                } else if (march.leave <= 0.0 || ++steps >= 3 * max_steps) {
+                    state = ended;
+                } else {
+                    slope = rise;
+                    go_on(march);
+                }
             }
+        }
+        if (state == reached) {
+            vec2 next_q = march.image.from + (1.5 * march.leave - 0.5 * march.enter) * march.image.speed;
+            float next_rise = nearness_at(march.view, next_q) - surface;
+            bool passes_behind = surface > march.enter && min(abs(rise - slope), abs(rise - next_rise)) > margin;
             int other = passes_behind || is_outside(q) ? view_seeing(line, scene_eye, units, march.enter, tried) : -1;
             if (other >= 0) {
                 tried |= 1 << other;
                 begin(march, line, scene_eye, other, march.enter);
                 surface = nearness_at(other, middle_of(march));
                 slope = 0.0;
-                continue;
+            } else if (!passes_behind) {
+                state = crossed;
+            } else {
+                behind = true;
+                edge = q + sign(march.image.speed) * min(vec2(1), march.pace / max(march.pace.x, march.pace.y));
+                edge_surface = before;
+                edge_enter = march.enter;
+                edge_view = march.view;
+                if (march.leave <= 0.0)
+                    state = ended;
+                slope = rise;
+                go_on(march);
             }
-            if (!passes_behind)
-                return crossed(march, surface, margin);
-            behind = true;
-            edge = q + sign(march.image.speed) * min(vec2(1), march.pace / max(march.pace.x, march.pace.y));
-            edge_surface = before;
-            edge_enter = march.enter;
-            edge_view = march.view;
         }
-        slope = rise;
-        if (march.leave <= 0.0)
-            break;
-        go_on(march);
     }
-    // The line never emerged: the background beside the edge behind which it passed.
-    Corners c = corners_of(edge_view, edge, edge_surface, 0.03 * edge_surface);
-    return Surface(colour_of(edge_view, c), edge_surface);
+
+    float about = surface, nu = clamp(surface, march.leave, march.enter);
+    int turns = 2;
+    if (state == met_hidden) {
+        // The nearer place next to the hidden part.
+        turns = 0;
+        vec2 hidden = march.image.from + surface * march.image.speed;
+        if (length(hidden - edge) < length(hidden - q)) {
+            q = edge;
+            about = edge_surface;
+        }
+    } else if (state == ended) {
+        // The line never emerged: the background next to the edge behind which it passed.
+        turns = 0;
+        q = edge;
+        about = nu = edge_surface;
+        march.view = edge_view;
+    }
+    // Where the line crosses the surface in or next to the pixel.
+    float low = march.leave - margin, high = march.enter + margin, jump = max(margin, 0.03 * about);
+    Corners c;
+    for (int turn = 0; turn <= turns; ++turn) {
+        if (turns > 0)
+            q = march.image.from + nu * march.image.speed;
+        c = corners_of(march.view, q, about, jump);
+        if (turn < turns)
+            nu = clamp(dot(c.weights, c.nearness), low, high);
+    }
+    return Surface(colour_of(march.view, c), nu);
 }
 
 // The tints of depth_picture.cpp, and a pattern: soft is dotted, beyond is striped.
