@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(borders_lie_where_the_aperture_ends)
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_lattice_is_found)
+BOOST_AUTO_TEST_CASE(a_lattice_is_found, *boost::unit_test::label("many_pixels"))
 {
     for (const auto& [arrangement, slant] :
          {std::pair(Arrangement::lenticular, 0.0), std::pair(Arrangement::lenticular, -14.0),
