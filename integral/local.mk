@@ -114,7 +114,7 @@ SANITIZE = -g1 -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-o
 EXTRA_LIBRARIES += build/sanitized/libintegral.a
 build_sanitized_libintegral_a_SOURCES = $(build_lib_libintegral_a_SOURCES)
 build_sanitized_libintegral_a_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
-$(build_sanitized_libintegral_a_OBJECTS): CXXFLAGS = -O1
+$(build_sanitized_libintegral_a_OBJECTS): CXXFLAGS = -Og
 
 EXTRA_PROGRAMS += build/sanitized/integral
 build_sanitized_integral_SOURCES = $(build_bin_integral_SOURCES)

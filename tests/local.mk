@@ -202,7 +202,7 @@ build_sanitized_mutations_SOURCES = $(fuzz_sources) \
 build_sanitized_mutations_CXXFLAGS = $(AM_CXXFLAGS) $(SANITIZE)
 build_sanitized_mutations_LDADD = $(sanitized_commands) build/sanitized/libintegral.a \
   $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
-$(build_sanitized_mutations_OBJECTS): CXXFLAGS = -O1
+$(build_sanitized_mutations_OBJECTS): CXXFLAGS = -Og
 sanitized_commands = $(filter-out %-main.$(OBJEXT),$(build_sanitized_integral_OBJECTS))
 build_sanitized_mutations_DEPENDENCIES = $(sanitized_commands) build/sanitized/libintegral.a
 

@@ -44,28 +44,39 @@ private:
     std::vector<std::optional<LensIndex>> lenses_;
 };
 
-/// The light at a place (pixel coordinates) that `lens` images: bilinear between the four nearest
-/// pixels, leaving out pixels of other lenses. If none of the four is left, as in a lens's corner,
-/// takes the lens's nearest pixel within 5 x 5, else the pixel at the place.
-Colour light_at(const LinearReader& pixel, const PixelLenses& lenses, const Film& film, Vec2 place,
-                LensIndex lens)
+/// The lens's pixel that is nearest to a place within the 5 x 5 around it, else the pixel there.
+Colour nearest_of_lens(const LinearReader& pixel, const PixelLenses& lenses, const Film& film,
+                       Vec2 place, LensIndex lens)
 {
     const int column = int(place.x), row = int(place.y);
-    Colour sum{0, 0, 0, 0}, nearest = pixel(column, row);
-    float weights = 0;
+    Colour nearest = pixel(column, row);
     double least = 9;
     for (int j = std::max(0, row - 2); j <= std::min(film.height - 1, row + 2); ++j)
         for (int i = std::max(0, column - 2); i <= std::min(film.width - 1, column + 2); ++i) {
-            if (lenses.at(i, j) != lens)
-                continue;
-            const double x = place.x - 0.5 - i, y = place.y - 0.5 - j;
-            if (std::hypot(x, y) < least) {
-                least = std::hypot(x, y);
+            const double distance = std::hypot(place.x - 0.5 - i, place.y - 0.5 - j);
+            if (distance < least && lenses.at(i, j) == lens) {
+                least = distance;
                 nearest = pixel(i, j);
             }
+        }
+    return nearest;
+}
+
+/// The light at a place (pixel coordinates) that `lens` images: bilinear between the four nearest
+/// pixels, leaving out pixels of other lenses. If none of the four is left, as in a lens's corner:
+/// nearest_of_lens.
+Colour light_at(const LinearReader& pixel, const PixelLenses& lenses, const Film& film, Vec2 place,
+                LensIndex lens)
+{
+    const int left = int(std::floor(place.x - 0.5)), top = int(std::floor(place.y - 0.5));
+    Colour sum{0, 0, 0, 0};
+    float weights = 0;
+    for (int j = std::max(0, top); j <= std::min(film.height - 1, top + 1); ++j)
+        for (int i = std::max(0, left); i <= std::min(film.width - 1, left + 1); ++i) {
+            const double x = place.x - 0.5 - i, y = place.y - 0.5 - j;
             const float weight = float(std::max(0.0, 1 - std::fabs(x)) *
                                        std::max(0.0, 1 - std::fabs(y)));
-            if (!(weight > 0))
+            if (!(weight > 0) || lenses.at(i, j) != lens)
                 continue;
             const Colour c = pixel(i, j);
             weights += weight;
@@ -73,7 +84,7 @@ Colour light_at(const LinearReader& pixel, const PixelLenses& lenses, const Film
                    sum.a + weight * c.a};
         }
     if (!(weights > 0))
-        return nearest;
+        return nearest_of_lens(pixel, lenses, film, place, lens);
     const float share = 1 / weights;
     return {share * sum.r, share * sum.g, share * sum.b, share * sum.a};
 }

@@ -38,7 +38,7 @@ function view_steps(geometry, part, axis, count) {
 class CoarseMode {
   moving = false;
   timer = 0;
-  slow = 1; // share of the pixels across and down while something moves
+  slow = 0.4; // share of the pixels across and down while something moves; grows on quick graphics
 
   // `redraw`: requests a picture.
   constructor(redraw) { this.redraw = redraw; }

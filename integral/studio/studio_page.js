@@ -110,8 +110,10 @@ async function refresh(resized = false) {
     say_problem(error.message);
   }
   asking = false;
-  if (figures && resized)
+  if (figures && resized) {
     drawn_size = "";
+    coarse.moves();
+  }
   show();
 }
 
@@ -213,7 +215,7 @@ function is_exact() { return exact.number > 0 && !state.tint; }
 function fit_canvas() {
   const stage = element("stage"), dots = devicePixelRatio || 1;
   const room = [stage.clientWidth, stage.clientHeight], scale = Math.min(room[0] / state.width, room[1] / state.height);
-  const most = gl.getParameter(gl.MAX_TEXTURE_SIZE), finer = dots * coarse.scale;
+  const most = gl.getParameter(gl.MAX_TEXTURE_SIZE), finer = dots * live_scale();
   const size = [state.width, state.height].map((mm) => within(Math.round(mm * scale * finer), 1, most));
   const key = [size, exact.number, probe !== null].join();
   if (key === drawn_size)
@@ -227,6 +229,10 @@ function fit_canvas() {
   if (exact.number)
     replay.set_view(size, part);
 }
+
+// Share of the pixels across and down. Slow graphics draw a still live picture coarsely, too: the
+// processors that they need are the renderer's, and the exact picture follows.
+function live_scale() { return is_exact() || coarse.moving ? coarse.scale : Math.min(1, 2 * coarse.slow); }
 
 function placement() {
   const fitted = figures.placement;
@@ -243,7 +249,7 @@ function draw() {
   if (is_exact())
     replay.draw(0, { eye, pupil: 0, focus: 0, gap: 0, blur: 0, samples: coarse.moving ? 1 : 3, raw: false });
   else
-    live.draw(eye, placement(), { samples: coarse.moving ? 1 : 2, tint: state.tint ? figures.budget_mm ?? 0 : 0 });
+    live.draw(eye, placement(), { samples: coarse.moving || coarse.slow < 0.7 ? 1 : 2, tint: state.tint ? figures.budget_mm ?? 0 : 0 });
   coarse.drawn(gl, began);
   document.body.dataset.drawn = is_exact() ? "exact" : "live";
 }
