@@ -28,8 +28,8 @@ std::vector<char*> exec_arguments(const std::vector<std::string>& words);
 StartedProgram start_program(const std::vector<std::string>& words, int input = -1, int output = -1,
                              int errors = -1);
 
-/// Waits for a process to end. Returns its exit status, or 128 + the number of the signal that ended
-/// it, or 255 if the status is not available.
+/// Waits for a process to end. Returns its exit status, or 128 + the number of the signal that
+/// ended it, or 255 if the status is not available.
 int wait_for_program(pid_t process);
 
 } // namespace integral

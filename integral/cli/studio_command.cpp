@@ -18,18 +18,17 @@ struct StudioOptions : CommonOptions {
 void declare(options::options_description& all, StudioOptions& o)
 {
     add(all, "port", o.port, "PORT", "the port of the page (default: a free one)");
-    add(all, "no-browser", o.no_browser,
-        "print the page's address and do not open a browser");
+    add(all, "no-browser", o.no_browser, "print the page's address and do not open a browser");
 }
 
 int run(const StudioOptions& o)
 {
     const std::string& scene = o.inputs.front();
     if (!names_scene(scene))
-        throw UsageError(scene + ": it is no scene; give a .pov or .ini file");
+        throw UsageError(scene + ": not a scene; give a .pov or .ini file");
     const std::vector<std::string> words(o.inputs.begin() + 1, o.inputs.end());
     SceneRenders renders(scene, words);
-    Studio studio(scene, words, renders);
+    Studio studio(scene, renders);
     Server server(o.port ? in_range("port", *o.port, 1, 65535) : 0,
                   [&](const ServerRequest& request) { return studio.answer(request); });
     std::printf("the studio is at %s (Ctrl+C ends it)\n", server.address().c_str());
@@ -57,8 +56,8 @@ print size, printer and viewing distance, move the eye, and see what is sharp, s
 the depth budget. While nothing moves, povray-integral renders a draft of the print, and the
 page shows what an eye sees of it.
 
-What is found is saved as a settings file that povray-integral renders. Words after the scene
-are for povray-integral, as +W900 +H600, which set the picture's shape. The page notices when
+Save writes a settings file that povray-integral renders. Words after the scene are for
+povray-integral, as +W900 +H600, which set the picture's shape. The page notices when
 the scene's files change. Only this machine can reach the page. Ctrl+C ends the command.
 )",
     1,

@@ -62,24 +62,25 @@ std::string page_shell(bool with_comparison, const PageAdditions& additions)
     const auto mark = [](const char* name) {
         return std::pair<std::string, std::string>(name, std::string("@") + name + "@");
     };
-    return filled_template(replay_page_html,
-                     {{"STYLE_NONCE", additions.nonce},
-                      {"HEAD", additions.head},
-                      mark("STILL"),
-                      mark("FRAME"),
-                      mark("COMPARISON"),
-                      mark("GEOMETRY"),
-                      mark("START"),
-                      {"SHADER", std::string(sheet_optics_glsl) + replay_page_glsl},
-                      {"SCRIPT_NONCE", additions.nonce},
-                      {"SCRIPT", std::string(replay_drawing_js) +
-                                     (with_comparison ? comparison_page_js : "") + replay_page_js},
-                      {"END", additions.end}});
+    return filled_template(
+        replay_page_html,
+        {{"STYLE_NONCE", additions.nonce},
+         {"HEAD", additions.head},
+         mark("STILL"),
+         mark("FRAME"),
+         mark("COMPARISON"),
+         mark("GEOMETRY"),
+         mark("START"),
+         {"SHADER", std::string(sheet_optics_glsl) + replay_page_glsl},
+         {"SCRIPT_NONCE", additions.nonce},
+         {"SCRIPT", std::string(replay_drawing_js) + (with_comparison ? comparison_page_js : "") +
+                        replay_page_js},
+         {"END", additions.end}});
 }
 
 /// The pieces of a frame's page. `still`: see still_picture.
-TemplatePieces pieces_of(const Frame& frame, const std::string& still, const std::string& comparison,
-                         const Json& start)
+TemplatePieces pieces_of(const Frame& frame, const std::string& still,
+                         const std::string& comparison, const Json& start)
 {
     return {{"STILL", still},
             {"FRAME", page_picture(frame)},
@@ -134,7 +135,7 @@ std::string replay_page(const Frame& frame, const View& start)
     if (!obstacle.empty())
         throw std::invalid_argument("--html: " + obstacle);
     return filled_template(page_shell(false, {}), pieces_of(frame, still_picture(frame, start), "",
-                                     start_of(start, *frame.metadata)));
+                                                            start_of(start, *frame.metadata)));
 }
 
 ComparedPictures compared_pictures(const Frame& reference, const Frame& result,
@@ -203,17 +204,18 @@ TemplatePieces comparison_pieces(const ComparedPictures& pictures, bool keys_for
                 {"words", pictures.worst_words}};
     }
     start["second_blur"] = second_view.blur;
-    return pieces_of(*first, "",
-                     filled_template(comparison_part_html,
-                               {{"SECOND", page_picture(*second)},
-                                {"SECOND_GEOMETRY", json_within_html(to_json(*second->metadata))}}),
-                     start);
+    return pieces_of(
+        *first, "",
+        filled_template(comparison_part_html,
+                        {{"SECOND", page_picture(*second)},
+                         {"SECOND_GEOMETRY", json_within_html(to_json(*second->metadata))}}),
+        start);
 }
 
 std::string comparison_page(const ComparedPictures& pictures, const PageAdditions& additions)
 {
     return filled_template(comparison_shell(additions),
-                     comparison_pieces(pictures, additions.keys_for_pages));
+                           comparison_pieces(pictures, additions.keys_for_pages));
 }
 
 } // namespace integral

@@ -55,8 +55,7 @@ std::string comparison_page(const ComparedPictures& pictures, const PageAddition
 /// comparisons share, in which each mark "@NAME@" stands for a piece of a comparison, and the
 /// pieces in the order of the marks.
 std::string comparison_shell(const PageAdditions& additions = {});
-TemplatePieces comparison_pieces(const ComparedPictures& pictures,
-                                                                   bool keys_for_pages = false);
+TemplatePieces comparison_pieces(const ComparedPictures& pictures, bool keys_for_pages = false);
 
 } // namespace integral
 

@@ -30,9 +30,8 @@ int pixels_of(double mm, double pitch)
 {
     const double pixels = std::round(mm / pitch);
     if (!(pixels >= 1 && pixels <= largest_side))
-        throw_field_error("print_mm", "gives " + std::to_string(pixels) +
-                                          " pixels; from 1 to " + std::to_string(largest_side) +
-                                          " are possible");
+        throw_field_error("print_mm", "gives " + std::to_string(pixels) + " pixels; from 1 to " +
+                                          std::to_string(largest_side) + " are possible");
     return int(pixels);
 }
 
@@ -126,8 +125,8 @@ FrameMetadata frame_of_settings(const PlacementSettings& settings, const DepthFr
     FrameMetadata frame;
     frame.sheet = settings.sheet;
     const double pitch = mm_per_inch / settings.dpi;
-    frame.film = {pixels_of(settings.print.x, pitch), pixels_of(settings.print.y, pitch),
-                  {pitch, pitch}};
+    frame.film = {
+        pixels_of(settings.print.x, pitch), pixels_of(settings.print.y, pitch), {pitch, pitch}};
     check_ranges(frame.sheet, frame.film);
     const auto aperture = filling_aperture(frame.sheet, settings.viewing_distance);
     if (!aperture)
@@ -140,12 +139,11 @@ FrameMetadata frame_of_settings(const PlacementSettings& settings, const DepthFr
     const FrameMetadata& scene = probe->metadata;
     const double width = size_of(frame.film).x,
                  eye_distance = scene_distance(scene) * width / size_of(scene.film).x;
-    SceneFit fit{scene.placement->sheet_distance, 1};
+    SceneFit fit{settings.sheet_distance.value_or(scene.placement->sheet_distance),
+                 settings.parallax.value_or(1)};
     const auto ends = depth_ends({probe->eye_distances.begin(), probe->eye_distances.end()});
     const auto budget = depth_budget(frame.sheet, counted(frame).pixel);
-    if (settings.sheet_distance && settings.parallax)
-        fit = {*settings.sheet_distance, *settings.parallax};
-    else if (ends && budget)
+    if (!(settings.sheet_distance && settings.parallax) && ends && budget)
         fit = fit_to_budget(*ends, {settings.budgets * *budget / settings.viewing_distance,
                                     settings.sheet_distance, settings.parallax});
     frame.parallax = Parallax{fit.parallax, eye_distance};

@@ -15,26 +15,28 @@ namespace integral {
 
 /// How a probe is to be rendered.
 struct ProbeRequest {
-    int width = 320;   ///< of a view, pixels
-    double aspect = 1; ///< width / height of the print
+    int width = 320;     ///< of a view, pixels
+    double aspect = 1;   ///< width / height of the print
     ViewGrid grid{1, 1}; ///< odd numbers, so that one view is the scene's own eye's
-    Vec2 zone; ///< extent of the eyes' places, as a part of the sheet's width; > 0 with more than one view
+    Vec2 zone; ///< extent of the eyes' places, as a part of the sheet's width; > 0 with more than
+               ///< one view
 };
 
 /// The perspective picture from one eye, whose window is the sheet at Probe::sheet_distance.
 struct ProbeView {
-    Vec2 eye;     ///< relative to the scene's eye, to the right and up, scene units
-    Image colour; ///< 8-bit sRGB, three channels
+    Vec2 eye;                    ///< relative to the scene's eye, to the right and up, scene units
+    Image colour;                ///< 8-bit sRGB, three channels
     std::vector<float> nearness; ///< 1 / distance of the surface from the eye's plane, scene units;
                                  ///< 0: no surface
 };
 
 struct Probe {
     ProbeRequest request;
-    int width = 0, height = 0;   ///< of each view, pixels
-    double sheet_distance = 0;   ///< scene units from the scene's eye
+    int width = 0, height = 0;    ///< of each view, pixels
+    double sheet_distance = 0;    ///< scene units from the scene's eye
     std::vector<ProbeView> views; ///< the scene's own eye first
-    DepthFrame depths; ///< for figures: eye_distances and the metadata with the placement; no pixels
+    DepthFrame depths; ///< for figures: eye_distances and the metadata with the placement; no
+                       ///< pixels
 };
 
 /// The words of povray-integral's command line that render a probe's pictures into `scratch`.

@@ -15,7 +15,7 @@
 namespace integral {
 namespace {
 
-constexpr int first_width = 320, second_width = 640; // of a probe's view, pixels
+constexpr int first_width = 320, second_width = 640;                // of a probe's view, pixels
 constexpr auto time_between_looks = std::chrono::milliseconds(500); // at the scene's files
 constexpr auto time_without_listeners = std::chrono::seconds(10);   // ends a render
 
@@ -36,31 +36,36 @@ int size_option(const std::vector<std::string>& words, const char* keyword, cons
     return std::max(0, std::atoi(value_of_option(words, keyword, letter).c_str()));
 }
 
-/// The probe that shows what a frame needs: side views as far apart as its eyes see the scene from.
-ProbeRequest probe_for(const FrameMetadata& frame)
+/// The probe that a frame needs: three views each way in which views differ, the outer ones at the
+/// edges of the region from which the frame's rays see the scene. `probe_distance`: the distance of
+/// the probe's window, scene units.
+ProbeRequest probe_for(const FrameMetadata& frame, double probe_distance)
 {
-    constexpr double margin = 1.2; // for settings a little apart
+    constexpr int views = 3;
+    // The outer eyes of N are at (N - 1) / N of the zone's edges.
+    constexpr double to_edges = double(views) / (views - 1);
     const Vec2 print = size_of(frame.film), zone = viewing_zone(frame.sheet, frame.aperture);
-    const double scale = margin * frame.parallax->factor / print.x;
+    const double scale = to_edges * frame.parallax->factor / print.x *
+                         frame.placement->sheet_distance / probe_distance;
     ProbeRequest request;
     request.width = second_width;
     request.aspect = print.x / print.y;
-    request.grid = {zone.x > 0 ? 3 : 1, zone.y > 0 ? 3 : 1};
     request.zone = {scale * zone.x, scale * zone.y};
-    if (!(scale > 0))
-        request.grid = {1, 1};
+    request.grid = {request.zone.x > 0 ? views : 1, request.zone.y > 0 ? views : 1};
     return request;
 }
 
-/// Whether a probe serves where `needed` would be rendered.
-bool serves(const ProbeRequest& had, const ProbeRequest& needed)
+/// Whether a probe serves where another one is required.
+bool serves(const ProbeRequest& present, const ProbeRequest& required)
 {
     const auto is_near = [](double a, double b, double ratio) {
         return (a == 0) == (b == 0) && a <= ratio * b && b <= ratio * a;
     };
-    return had.width == needed.width && is_near(had.aspect, needed.aspect, 1.01) &&
-           had.grid.columns == needed.grid.columns && had.grid.rows == needed.grid.rows &&
-           is_near(had.zone.x, needed.zone.x, 1.5) && is_near(had.zone.y, needed.zone.y, 1.5);
+    return present.width == required.width && is_near(present.aspect, required.aspect, 1.01) &&
+           present.grid.columns == required.grid.columns &&
+           present.grid.rows == required.grid.rows &&
+           is_near(present.zone.x, required.zone.x, 1.5) &&
+           is_near(present.zone.y, required.zone.y, 1.5);
 }
 
 } // namespace
@@ -75,15 +80,15 @@ struct SceneRenders::Job {
     std::optional<ChildProcess> child;
 
     std::string log() const { return scratch.path("said.txt"); }
-    std::string picture() const { return scratch.path("exact.png"); }
+    std::string picture() const { return scratch.path("picture.png"); }
 };
 
 SceneRenders::SceneRenders(const std::string& scene, const std::vector<std::string>& options)
     : scene_(scene), options_(options)
 {
     scene_words(scene); // throws for a name that cannot work
-    const int width = size_option(options, "width", "w"), height = size_option(options, "height",
-                                                                               "h");
+    const int width = size_option(options, "width", "w"),
+              height = size_option(options, "height", "h");
     ProbeRequest first;
     first.width = first_width;
     first.aspect = width > 0 && height > 0 ? double(width) / height : 4.0 / 3;
@@ -115,18 +120,20 @@ void SceneRenders::request_exact(int number, const PlacementSettings& settings)
 {
     const std::lock_guard lock(mutex_);
     next_exact_ = ExactRequest{number, settings};
-    wanted_exact_ = number;
+    requested_exact_ = number;
     if (probe_ && !problem_.empty()) { // of an earlier exact draft
         problem_.clear();
         change();
     }
 }
 
-void SceneRenders::stop_exact()
+void SceneRenders::stop_exact(int number)
 {
     const std::lock_guard lock(mutex_);
+    if (requested_exact_ != number)
+        return;
     next_exact_.reset();
-    wanted_exact_ = 0;
+    requested_exact_ = 0;
 }
 
 void SceneRenders::request_print(const PlacementSettings& settings, const std::string& file)
@@ -135,6 +142,8 @@ void SceneRenders::request_print(const PlacementSettings& settings, const std::s
     next_print_ = PrintRequest{file, settings};
     print_is_stopped_ = false;
     print_.clear();
+    if (probe_)
+        problem_.clear();
     change();
 }
 
@@ -143,6 +152,7 @@ void SceneRenders::stop_print()
     const std::lock_guard lock(mutex_);
     next_print_.reset();
     print_is_stopped_ = true;
+    change();
 }
 
 std::string SceneRenders::state() const
@@ -152,6 +162,7 @@ std::string SceneRenders::state() const
                 {"exact", exact_ ? exact_->number : 0},
                 {"draft", exact_ ? exact_->draft : 0},
                 {"seconds", exact_ ? exact_->seconds : 0},
+                {"printing", next_print_ || work_ == "print"},
                 {"print", print_.empty() ? Json() : Json(print_)},
                 {"work", work_.empty() ? Json() : Json(work_)},
                 {"progress", progress_},
@@ -177,13 +188,13 @@ std::optional<std::string> SceneRenders::Listener::next_state()
     {
         std::unique_lock lock(renders_.mutex_);
         renders_.changed_.wait_for(lock, std::chrono::seconds(2), [&] {
-            return renders_.ended_ || renders_.changes_ != seen_;
+            return renders_.ended_ || renders_.changes_ != sent_changes_;
         });
         if (renders_.ended_)
             return std::nullopt;
-        if (renders_.changes_ == seen_)
+        if (renders_.changes_ == sent_changes_)
             return "";
-        seen_ = renders_.changes_;
+        sent_changes_ = renders_.changes_;
     }
     return renders_.state();
 }
@@ -225,29 +236,48 @@ void SceneRenders::work()
         else
             exact.swap(next_exact_);
     }
-    if (print)
-        begin_print(*print);
-    else if (probe)
-        begin_probe(*probe);
-    else if (exact)
-        begin_exact(*exact);
+    try {
+        if (print)
+            begin_print(*print);
+        else if (probe)
+            begin_probe(*probe);
+        else if (exact)
+            begin_exact(*exact);
+    } catch (const std::exception& error) {
+        const std::lock_guard lock(mutex_);
+        problem_ = error.what();
+        change();
+    }
 }
 
-/// Whether nobody waits for the job's picture any more.
-bool SceneRenders::is_abandoned() const
+/// Returns whether the job's picture is no longer requested. A probe or print is requested again if
+/// it is only put off, because no page listens or an exact draft is more urgent.
+bool SceneRenders::is_abandoned()
 {
     const std::lock_guard lock(mutex_);
-    if (listeners_ == 0 && Clock::now() - left_ > time_without_listeners)
-        return true;
-    return job_->print   ? print_is_stopped_
-           : job_->probe ? probe_ && next_exact_
-                         : job_->exact.number != wanted_exact_;
+    const bool unheard = listeners_ == 0 && Clock::now() - left_ > time_without_listeners;
+    if (job_->print) {
+        if (unheard && !print_is_stopped_ && !next_print_)
+            next_print_ = job_->print;
+        return unheard || print_is_stopped_;
+    }
+    if (!job_->probe)
+        return unheard || job_->exact.number != requested_exact_;
+    const bool is_put_off = unheard || (probe_ && next_exact_);
+    if (is_put_off && !next_probe_)
+        next_probe_ = job_->probe;
+    return is_put_off;
 }
 
 /// Begins anew if one of the scene's files has changed.
 void SceneRenders::watch_files()
 {
     watched_ = Clock::now();
+    if (is_watching_ &&
+        std::all_of(files_.begin(), files_.end(),
+                    [](const auto& file) { return stamp_of(file.first) == file.second; }) &&
+        !files_.empty())
+        return;
     decltype(files_) files;
     try {
         std::vector<std::string> words = scene_words(scene_);
@@ -255,19 +285,22 @@ void SceneRenders::watch_files()
         for (const SceneFile& file : files_of_scene(scene_, {".", words, ""}))
             files.emplace_back(file.path, stamp_of(file.path));
     } catch (const InputError&) {
-        return; // the scene is not here, but where povray-integral finds it; or it is being written
+        files.clear(); // the scene is not here, but where povray-integral finds it; or is missing
     }
+    const bool is_first = !is_watching_;
+    is_watching_ = true;
     if (files == files_)
         return;
-    const bool first = files_.empty();
     files_ = files;
-    if (first)
+    if (is_first || files.empty())
         return;
-    job_.reset();
     const std::lock_guard lock(mutex_);
+    if (job_ && job_->print && !next_print_)
+        next_print_ = job_->print;
+    job_.reset();
     ProbeRequest again;
     again.width = first_width;
-    again.aspect = probe_ ? double(probe_->width) / probe_->height
+    again.aspect = probe_        ? double(probe_->width) / probe_->height
                    : next_probe_ ? next_probe_->aspect
                                  : 4.0 / 3;
     next_probe_ = again;
@@ -288,22 +321,22 @@ void SceneRenders::begin_probe(const ProbeRequest& request)
 
 void SceneRenders::begin_exact(const ExactRequest& request)
 {
-    const std::shared_ptr<const Probe> seen = probe();
-    if (!seen)
+    const std::shared_ptr<const Probe> current = probe();
+    if (!current)
         return;
-    const FrameMetadata frame = frame_of_settings(request.settings, &seen->depths);
+    const FrameMetadata frame = frame_of_settings(request.settings, &current->depths);
     {
-        const ProbeRequest needed = probe_for(frame);
+        const ProbeRequest required = probe_for(frame, current->sheet_distance);
         const std::lock_guard lock(mutex_);
-        if (!serves(probe_->request, needed))
-            next_probe_ = needed;
+        if (!serves(current->request, required))
+            next_probe_ = required;
     }
     auto job = std::make_unique<Job>();
     job->exact = request;
     job->draft = draft_of_four_views(frame);
     std::vector<std::string> words = words_for(request.settings, frame);
-    for (const char* word : {"-A", "Integral_Audit=off", "Integral_Depth_Image=",
-                             "Integral_Error_Image="})
+    for (const char* word :
+         {"-A", "Integral_Audit=off", "Integral_Depth_Image=", "Integral_Error_Image="})
         words.push_back(word);
     words.push_back("Integral_Draft=" + std::to_string(job->draft));
     words.push_back("+O" + quoted(job->picture()));
@@ -318,21 +351,20 @@ void SceneRenders::begin_print(const PrintRequest& request)
         request.settings, frame_of_settings(request.settings, &probe()->depths));
     words.push_back("+A0.3");
     words.push_back("Integral_Draft=1");
-    words.push_back("+O" + quoted(request.file));
+    words.push_back("+O" + quoted(job->picture()));
     begin(std::move(job), words);
 }
 
-/// The words of povray-integral's command line that are the same for drafts and print.
 std::vector<std::string> SceneRenders::words_for(const PlacementSettings& settings,
                                                  const FrameMetadata& frame) const
 {
     std::vector<std::string> words = scene_words(scene_);
     words.insert(words.end(), options_.begin(), options_.end());
-    for (const char* word : {"-P", "+FN8", "Integral_Fit=", "Integral_Quilt="})
+    for (const char* word : {"-P", "+FN8", "Integral_Fit=off", "Integral_Quilt="})
         words.push_back(word);
     words.push_back("+W" + std::to_string(frame.film.width));
     words.push_back("+H" + std::to_string(frame.film.height));
-    words.push_back("Integral_Camera=" + words_of_settings(settings, frame));
+    words.push_back("Integral_Camera=\"" + words_of_settings(settings, frame) + "\"");
     return words;
 }
 
@@ -383,14 +415,18 @@ void SceneRenders::watch_job()
 void SceneRenders::finish(const Job& job)
 {
     if (job.probe) {
-        auto probe = std::make_shared<const Probe>(read_probe(*job.probe, job.scratch));
+        auto probe = std::make_shared<Probe>(read_probe(*job.probe, job.scratch));
         const std::lock_guard lock(mutex_);
+        // The fit must not change with the probe's number of views or pixels.
+        if (probe_ && std::fabs(probe_->request.aspect / job.probe->aspect - 1) < 0.01)
+            probe->depths.eye_distances = probe_->depths.eye_distances;
         probe_ = std::move(probe);
         ++probe_number_;
         change();
         return;
     }
     if (job.print) {
+        write_file(job.print->file, read_file(job.picture()));
         const std::lock_guard lock(mutex_);
         print_ = job.print->file;
         change();

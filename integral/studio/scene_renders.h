@@ -41,18 +41,24 @@ public:
 
     /// Requests the exact draft for settings. Ends the work on an earlier one.
     void request_exact(int number, const PlacementSettings& settings);
-    /// Ends the work on exact drafts.
-    void stop_exact();
+    /// Ends the work on that exact draft.
+    void stop_exact(int number);
 
     /// Requests the print for settings, anti-aliased, as `file` (.png).
     void request_print(const PlacementSettings& settings, const std::string& file);
     /// Ends the work on the print.
     void stop_print();
 
+    /// The words of povray-integral's command line for drafts and print, which are also lines of a
+    /// settings file.
+    std::vector<std::string> words_for(const PlacementSettings& settings,
+                                       const FrameMetadata& frame) const;
+
     /// The state as JSON on one line: probe (its number; 0: none), exact (its request's number; 0:
-    /// none), draft and seconds of that, print (the file of the newest print, or null), work (what is
-    /// being rendered: "probe", "exact", "print" or null), progress (0 to 1), problem (why the scene
-    /// cannot be rendered, or null).
+    /// none), draft and seconds of that, printing (whether the print is being rendered, or waits),
+    /// print (the file of the newest print, or null), work (what is
+    /// being rendered: "probe", "exact", "print" or null), progress (0 to 1), problem (why the
+    /// scene cannot be rendered, or null).
     std::string state() const;
 
     /// A page that listens: counted from its construction to its destruction.
@@ -66,7 +72,7 @@ public:
 
     private:
         SceneRenders& renders_;
-        int seen_ = -1;
+        int sent_changes_ = -1;
     };
 
     // For the program's first thread.
@@ -90,12 +96,10 @@ private:
 
     void change();
     void watch_files();
-    bool is_abandoned() const;
+    bool is_abandoned();
     void begin_probe(const ProbeRequest& request);
     void begin_exact(const ExactRequest& request);
     void begin_print(const PrintRequest& request);
-    std::vector<std::string> words_for(const PlacementSettings& settings,
-                                       const FrameMetadata& frame) const;
     void begin(std::unique_ptr<Job> job, const std::vector<std::string>& words);
     void watch_job();
     void finish(const Job& job);
@@ -114,7 +118,7 @@ private:
     std::optional<ProbeRequest> next_probe_;
     std::shared_ptr<const ExactDraft> exact_;
     std::optional<ExactRequest> next_exact_;
-    int wanted_exact_ = 0; ///< number of the request that is not stopped; 0: none
+    int requested_exact_ = 0; ///< number of the request that is not stopped; 0: none
     std::optional<PrintRequest> next_print_;
     bool print_is_stopped_ = false;
     std::string print_; ///< the newest print's file
@@ -124,6 +128,7 @@ private:
     // Used by the first thread alone.
     std::unique_ptr<Job> job_;
     std::vector<std::pair<std::string, std::string>> files_; ///< of the scene, with their stamps
+    bool is_watching_ = false;                               ///< whether files_ has been filled
     Clock::time_point watched_ = Clock::now();
 };
 

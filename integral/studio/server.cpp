@@ -187,13 +187,21 @@ void Server::run(const std::function<bool()>& ended)
     std::atomic<bool> failed = false;
     std::thread listener([&] { failed = !state_->http.listen_after_bind(); });
     const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(50)); };
-    while (!ended() && !interrupted() && !failed)
-        wait();
-    while (!state_->http.is_running() && !failed) // stop() requires a listening server
-        wait();
-    if (!failed)
-        state_->http.stop();
-    listener.join();
+    const auto stop = [&] {
+        while (!state_->http.is_running() && !failed) // stop() requires a listening server
+            wait();
+        if (!failed)
+            state_->http.stop();
+        listener.join();
+    };
+    try {
+        while (!ended() && !interrupted() && !failed)
+            wait();
+    } catch (...) {
+        stop();
+        throw;
+    }
+    stop();
 }
 
 bool open_in_browser(const std::string& address)

@@ -11,20 +11,16 @@
 namespace integral {
 namespace {
 
-/// Thrown for a request that names no page.
-struct NoSuchPage {};
-
-/// The number at the end of "/exact/NUMBER".
-int exact_number(const std::string& path)
+/// The number, at least 1, after `start` at the end of a path; empty for other paths.
+std::optional<int> number_after(const std::string& start, const std::string& path)
 {
-    const std::string start = "/exact/";
     int number = 0;
     if (path.compare(0, start.size(), start) != 0)
-        throw NoSuchPage();
+        return std::nullopt;
     const char *const from = path.data() + start.size(), *const to = path.data() + path.size();
     const auto read = std::from_chars(from, to, number);
     if (read.ec != std::errc() || read.ptr != to || number < 1)
-        throw NoSuchPage();
+        return std::nullopt;
     return number;
 }
 
@@ -37,6 +33,8 @@ std::string exact_bytes(const ExactDraft& exact)
     bytes.append(3 - bytes.size() % 4, ' ');
     bytes += '\n';
     const Image& image = exact.frame.image;
+    if (image.channels != 3 && image.channels != 4)
+        throw std::runtime_error("the scene's picture has no colours; leave Grayscale_Output out");
     for (int y = 0; y < image.height; ++y) {
         const unsigned char* row = row_bytes(image, y);
         if (image.channels == 4) {
@@ -72,9 +70,7 @@ std::string print_name(const std::string& scene, const char* extension)
 
 } // namespace
 
-Studio::Studio(const std::string& scene, const std::vector<std::string>& options,
-               SceneRenders& renders)
-    : scene_(scene), options_(options), renders_(renders)
+Studio::Studio(const std::string& scene, SceneRenders& renders) : scene_(scene), renders_(renders)
 {
 }
 
@@ -83,8 +79,6 @@ std::optional<ServerAnswer> Studio::answer(const ServerRequest& request)
     if (request.is_post)
         try {
             return post(request);
-        } catch (const NoSuchPage&) {
-            return std::nullopt;
         } catch (const std::invalid_argument& error) {
             return ServerAnswer{400, error.what(), "text/plain; charset=utf-8"};
         }
@@ -105,32 +99,42 @@ std::optional<ServerAnswer> Studio::answer(const ServerRequest& request)
     return std::nullopt;
 }
 
-ServerAnswer Studio::post(const ServerRequest& request)
+std::optional<ServerAnswer> Studio::post(const ServerRequest& request)
 {
     if (request.path == "/figures")
         return json_answer(figures(request.body));
     if (request.path == "/save")
         return json_answer(save(settings_from_json(request.body)));
-    if (request.path == "/stop" || request.path == "/stop-print") {
-        request.path == "/stop" ? renders_.stop_exact() : renders_.stop_print();
-        return json_answer("{}");
-    }
-    if (request.path == "/print") {
-        renders_.request_print(settings_from_json(request.body), print_name(scene_, ".png"));
-        return json_answer("{}");
-    }
-    const int number = exact_number(request.path);
-    renders_.request_exact(number, settings_from_json(request.body));
+    if (request.path == "/print")
+        renders_.request_print(possible_settings(request.body), print_name(scene_, ".png"));
+    else if (request.path == "/stop-print")
+        renders_.stop_print();
+    else if (const auto to_stop = number_after("/stop/", request.path))
+        renders_.stop_exact(*to_stop);
+    else if (const auto requested = number_after("/exact/", request.path))
+        renders_.request_exact(*requested, possible_settings(request.body));
+    else
+        return std::nullopt;
     return json_answer("{}");
+}
+
+/// Reads settings of which a frame can be made.
+PlacementSettings Studio::possible_settings(const std::string& text) const
+{
+    const PlacementSettings settings = settings_from_json(text);
+    const std::shared_ptr<const Probe> probe = renders_.probe();
+    frame_of_settings(settings, probe ? &probe->depths : nullptr);
+    return settings;
 }
 
 std::string Studio::figures(const std::string& text) const
 {
     const std::shared_ptr<const Probe> probe = renders_.probe();
     const DepthFrame* const depths = probe ? &probe->depths : nullptr;
-    const PlacementSettings settings =
-        !text.empty() ? settings_from_json(text)
-                      : first_settings(probe ? double(probe->width) / probe->height : 4.0 / 3);
+    const PlacementSettings settings = !text.empty() ? settings_from_json(text)
+                                                     : first_settings(probe ? double(probe->width) /
+                                                                                  probe->height
+                                                                            : 4.0 / 3);
     Json figures = settings_figures(settings, depths);
     figures["settings"] = json_of(settings);
     return figures.dump();
@@ -141,18 +145,14 @@ std::string Studio::save(const PlacementSettings& settings) const
 {
     const std::shared_ptr<const Probe> probe = renders_.probe();
     if (!probe)
-        throw std::invalid_argument("the scene has not been looked at yet; save when it is seen");
+        throw std::invalid_argument("the scene has no probe yet; save again when its picture is "
+                                    "shown");
     const FrameMetadata frame = frame_of_settings(settings, &probe->depths);
-    const std::string name = print_name(scene_, ".ini"),
-                      command = "povray-integral " + name;
+    const std::string name = print_name(scene_, ".ini"), command = "povray-integral " + name;
     std::string text = "; " + stem_of(scene_) + ", placed on a sheet by integral studio.\n; " +
                        command + " +A0.3\n";
-    for (const std::string& word : scene_words(scene_))
+    for (const std::string& word : renders_.words_for(settings, frame))
         text += word + "\n";
-    for (const std::string& word : options_)
-        text += word + "\n";
-    text += "+W" + std::to_string(frame.film.width) + " +H" + std::to_string(frame.film.height) +
-            "\nIntegral_Camera=\"" + words_of_settings(settings, frame) + "\"\n";
     write_file(name, text);
     return Json{{"file", name}, {"command", command + " +A0.3"}, {"text", text}}.dump();
 }

@@ -16,7 +16,8 @@ namespace integral {
 ///   spaces to a multiple of four bytes, then the pixels: R, G, B and alpha, 8-bit sRGB.
 /// - POST "/figures" with settings (settings_from_json): settings_figures. Without settings: those
 ///   of first_settings, in the field `settings`.
-/// - POST "/exact/NUMBER" with settings: requests the exact draft. POST "/stop": ends that work.
+/// - POST "/exact/NUMBER" with settings: requests the exact draft. POST "/stop/NUMBER": ends
+///   that work.
 /// - POST "/print" with settings: requests the print, in the working folder; POST "/stop-print"
 ///   ends that work.
 /// - POST "/save" with settings: writes an INI file into the working folder; answers with `file`
@@ -24,20 +25,19 @@ namespace integral {
 /// Settings that cannot work are answered by status 400 and a sentence. No path names a file.
 class Studio {
 public:
-    /// `scene` and `options`: as given to `renders`, which must outlive this.
-    Studio(const std::string& scene, const std::vector<std::string>& options,
-           SceneRenders& renders);
+    /// `scene`: as given to `renders`, which must outlive this.
+    Studio(const std::string& scene, SceneRenders& renders);
 
     /// May be called by several threads at once.
     std::optional<ServerAnswer> answer(const ServerRequest& request);
 
 private:
-    ServerAnswer post(const ServerRequest& request);
+    std::optional<ServerAnswer> post(const ServerRequest& request);
+    PlacementSettings possible_settings(const std::string& text) const;
     std::string figures(const std::string& settings) const;
     std::string save(const PlacementSettings& settings) const;
 
     const std::string scene_;
-    const std::vector<std::string> options_;
     SceneRenders& renders_;
 };
 

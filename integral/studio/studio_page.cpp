@@ -35,9 +35,8 @@ Json sheet_choices()
     });
     Json choices = Json::array();
     for (const KnownSheet& known : sheets)
-        choices.push_back({{"name", known.name},
-                           {"label", label_of(known)},
-                           {"sheet", json_of(known.sheet)}});
+        choices.push_back(
+            {{"name", known.name}, {"label", label_of(known)}, {"sheet", json_of(known.sheet)}});
     return choices;
 }
 

@@ -10,7 +10,7 @@ const figures_of = (v, digits = 4) => String(Number(v.toPrecision(digits)));
 const base = location.pathname.replace(/\/$/, "");
 const still = 300; // ms without a change, after which the exact draft is requested
 
-// What the user sets. `eye`: x and y as parts of the viewing zone's half width, and the distance as
+// The user's settings. `eye`: x and y as parts of the viewing zone's half width, and the distance as
 // a multiple of the viewing distance. sheet_distance and parallax: null if they are fitted.
 const state = { sheet: null, dpi: 0, width: 0, height: 0, distance: 0, sheet_distance: null, parallax: null, budgets: 2,
                 eye: [0, 0, 1], tint: false };
@@ -25,34 +25,40 @@ function settings() {
   return { sheet: sheet.sheet, dpi, print_mm: [width, height], viewing_distance_mm: distance, sheet_distance, parallax, budgets };
 }
 
-function take_settings(given) {
-  state.sheet = sheets.find(({ sheet }) => sheet.pitch_mm === given.sheet.pitch_mm && sheet.arrangement === given.sheet.arrangement) ?? sheets[0];
-  [state.width, state.height] = given.print_mm;
-  Object.assign(state, { dpi: given.dpi, distance: given.viewing_distance_mm, sheet_distance: given.sheet_distance,
-                         parallax: given.parallax, budgets: given.budgets });
+function use_settings({ sheet, print_mm, dpi, viewing_distance_mm, sheet_distance, parallax, budgets }) {
+  state.sheet = sheets.find((known) => known.sheet.pitch_mm === sheet.pitch_mm && known.sheet.arrangement === sheet.arrangement) ?? sheets[0];
+  [state.width, state.height] = print_mm;
+  Object.assign(state, { dpi, distance: viewing_distance_mm, sheet_distance, parallax, budgets });
 }
+
+// Legal ranges of numbers in controls and in the address's fragment.
+const ranges = { dpi: [10, 1e5], width: [1, 1e5], height: [1, 1e5], distance: [10, 1e6], plane: [1e-9, 1e9], parallax: [0, 100], budgets: [0.1, 100] };
+const is_legal = (name, value) => value !== null && value >= ranges[name][0] && value <= ranges[name][1];
 
 function fragment() {
-  const said = new URLSearchParams({ sheet: state.sheet.name, dpi: state.dpi, print: `${state.width}x${state.height}`, distance: state.distance });
-  said.set("plane", state.sheet_distance ?? "fit");
-  said.set("parallax", state.parallax ?? "fit");
-  said.set("budgets", state.budgets);
+  const parameters = new URLSearchParams({ sheet: state.sheet.name, dpi: state.dpi, print: `${state.width}x${state.height}`, distance: state.distance });
+  parameters.set("plane", state.sheet_distance ?? "fit");
+  parameters.set("parallax", state.parallax ?? "fit");
+  parameters.set("budgets", state.budgets);
+  if (state.eye.join() !== "0,0,1")
+    parameters.set("eye", state.eye.map((v) => figures_of(v)).join());
   if (state.tint)
-    said.set("tint", "1");
-  return "#" + said;
+    parameters.set("tint", "1");
+  return "#" + parameters;
 }
 
-// Reads the address's fragment; returns whether it has settings.
+// Reads the address's fragment; returns whether it has settings that can work.
 function read_fragment() {
-  const said = new URLSearchParams(location.hash.slice(1));
+  const parameters = new URLSearchParams(location.hash.slice(1));
   const number = (text) => text !== null && text.trim() !== "" && Number.isFinite(Number(text)) ? Number(text) : null;
-  const sheet = sheets.find(({ name }) => name === said.get("sheet")), print = (said.get("print") ?? "").split("x").map(number);
-  const dpi = number(said.get("dpi")), distance = number(said.get("distance"));
-  if (!sheet || print.length !== 2 || print.includes(null) || dpi === null || distance === null)
+  const value = (name) => number(parameters.get(name)), fitted = (name) => is_legal(name, value(name)) ? value(name) : null;
+  const sheet = sheets.find(({ name }) => name === parameters.get("sheet"));
+  const [width = null, height = null] = (parameters.get("print") ?? "").split("x").map(number), dpi = value("dpi"), distance = value("distance");
+  if (!sheet || !Object.entries({ dpi, width, height, distance }).every(([name, v]) => is_legal(name, v)))
     return false;
-  [state.width, state.height] = print;
-  Object.assign(state, { sheet, dpi, distance, sheet_distance: number(said.get("plane")), parallax: number(said.get("parallax")),
-                         budgets: number(said.get("budgets")) ?? 2, tint: said.has("tint") });
+  const eye = (parameters.get("eye") ?? "0,0,1").split(",").map(number), budgets = fitted("budgets") ?? 2;
+  Object.assign(state, { sheet, dpi, width, height, distance, budgets, sheet_distance: fitted("plane"), parallax: fitted("parallax"),
+                         eye: eye.length === 3 && !eye.includes(null) && eye[2] > 0 ? eye : [0, 0, 1], tint: parameters.has("tint") });
   return true;
 }
 
@@ -85,49 +91,43 @@ async function load_probe() {
   live?.set_probe(probe);
   depths_of_probe();
   if (first && !read_fragment())
-    take_settings((await post("/figures")).settings);
-  await refresh(first);
+    use_settings((await post("/figures")).settings);
+  await refresh();
 }
 
 // The figures for the settings; requests made meanwhile are answered once, by the last settings.
 let asking = false, ask_again = false;
-async function refresh(resized = false) {
+const shape_of = ({ sheet, film, aperture }) => JSON.stringify([sheet, film, aperture]);
+async function refresh() {
   if (asking) {
     ask_again = true;
     return;
   }
   asking = true;
-  try {
-    do {
-      ask_again = false;
-      const answer = await post("/figures", settings());
-      const shape = figures && figures.geometry.film;
-      figures = answer;
-      resized ||= JSON.stringify(shape) !== JSON.stringify(answer.geometry.film);
-      say_problem(scene.problem);
-    } while (ask_again);
-  } catch (error) {
-    say_problem(error.message);
-  }
+  do {
+    ask_again = false;
+    try {
+      figures = await post("/figures", settings());
+      say_problem(null);
+    } catch (error) {
+      say_problem(error.message);
+    }
+  } while (ask_again);
   asking = false;
-  if (figures && resized) {
-    drawn_size = "";
-    coarse.moves();
-  }
   show();
 }
 
 // The exact draft: requested when nothing has moved for a moment, stopped when something moves.
-const exact = { requested: 0, number: 0, geometry: null };
+const exact = { requested: 0, number: 0, draft: 1, seconds: 0 }; // number: of the draft that is shown; 0: none
 let settling = 0;
 
 function changed() {
+  if (!figures)
+    return;
   clearTimeout(settling);
-  if (exact.requested) {
-    exact.requested = 0;
-    post("/stop").catch(() => {});
-  }
-  exact.number = 0;
+  if (exact.requested)
+    post("/stop/" + exact.requested).catch(() => {});
+  exact.requested = exact.number = 0;
   settling = setTimeout(settled, still);
   coarse.moves();
   refresh();
@@ -135,10 +135,14 @@ function changed() {
 
 let requests = Date.now() % 1e9; // so that no number of an earlier page occurs again
 function settled() {
+  if (!figures)
+    return;
   if (location.hash !== fragment())
-    history.pushState(null, "", fragment());
+    is_own_address ? history.pushState(null, "", fragment()) : history.replaceState(null, "", fragment());
+  is_own_address = true;
   request_exact();
 }
+let is_own_address = false; // whether this page wrote the address's fragment
 
 function request_exact() {
   if (!probe || !figures || exact.number)
@@ -147,36 +151,41 @@ function request_exact() {
   post("/exact/" + exact.requested, settings()).catch((error) => say_problem(error.message));
 }
 
-async function load_exact(number) {
-  const { head, bytes, at } = await get_bytes("/exact");
-  if (number !== exact.requested || !replay)
-    return;
-  replay.remove_all();
-  await replay.add({ geometry: head, ior: head.sheet.ior, pixels: new Uint8Array(bytes, at) }, 1e6, async () => {});
-  if (number !== exact.requested)
-    return;
-  Object.assign(exact, { number, geometry: head });
-  drawn_size = "";
-  show();
+let loading = Promise.resolve(); // one draft after the other
+function load_exact({ exact: number, draft, seconds }) {
+  loading = loading.then(async () => {
+    if (number !== exact.requested || !replay)
+      return;
+    const { head, bytes, at } = await get_bytes("/exact");
+    replay.remove_all();
+    await replay.add({ geometry: head, ior: head.sheet.ior, pixels: new Uint8Array(bytes, at) }, 1e6, async () => {});
+    if (number !== exact.requested)
+      return;
+    Object.assign(exact, { number, draft, seconds });
+    show();
+  }).catch((error) => say_problem(error.message));
 }
 
 function listen() {
   const events = new EventSource(base + "/events");
+  let lost = 0;
+  events.onopen = () => clearTimeout(lost);
   events.onmessage = ({ data }) => {
     const before = scene;
     scene = JSON.parse(data);
-    const failed = (error) => say_problem(error.message);
+    if (scene.exact === 0 && before.exact > 0) // the scene has changed
+      exact.requested = exact.number = 0;
     if (scene.probe !== before.probe && scene.probe > 0)
-      load_probe().then(() => { if (before.probe === 0 || !exact.number) settled(); }).catch(failed);
+      load_probe().then(() => { if (!exact.number) settled(); }).catch((error) => say_problem(error.message));
     if (scene.exact !== before.exact && scene.exact === exact.requested && scene.exact > 0)
-      load_exact(scene.exact).catch(failed);
-    say_problem(scene.problem);
+      load_exact(scene);
+    show_problem();
     show_badge();
     show_print();
   };
   events.onerror = () => {
-    if (events.readyState === EventSource.CLOSED)
-      say_problem("The studio has ended. Start integral studio again and open its new address.");
+    clearTimeout(lost);
+    lost = setTimeout(() => say_problem("The studio has ended. Start integral studio again and open its new address."), 5000);
   };
 }
 
@@ -193,15 +202,25 @@ function eye_mm() {
 }
 
 function move_eye(x, y) {
+  if (!figures)
+    return;
   state.eye = [within(x, -3, 3), within(y, -3, 3), state.eye[2]];
-  coarse.moves();
-  show_eye();
+  eye_has_moved();
 }
 
 function set_eye_distance(times) {
+  if (!figures)
+    return;
   state.eye[2] = within(times, 0.1, 10);
+  eye_has_moved();
+}
+
+let eye_timer = 0;
+function eye_has_moved() {
   coarse.moves();
   show_eye();
+  clearTimeout(eye_timer);
+  eye_timer = setTimeout(() => { if (is_own_address) history.replaceState(null, "", fragment()); }, still);
 }
 
 // Drawing.
@@ -217,7 +236,7 @@ function fit_canvas() {
   const room = [stage.clientWidth, stage.clientHeight], scale = Math.min(room[0] / state.width, room[1] / state.height);
   const most = gl.getParameter(gl.MAX_TEXTURE_SIZE), finer = dots * live_scale();
   const size = [state.width, state.height].map((mm) => within(Math.round(mm * scale * finer), 1, most));
-  const key = [size, exact.number, probe !== null].join();
+  const key = [size, exact.number, shape_of(figures.geometry)].join();
   if (key === drawn_size)
     return;
   drawn_size = key;
@@ -327,9 +346,14 @@ function draw_depths() {
 
 // Text and controls.
 
-let printing = false;
-
+let page_problem = null; // what went wrong on the page; the scene's own problem is in `scene`
 function say_problem(text) {
+  page_problem = text;
+  show_problem();
+}
+
+function show_problem() {
+  const text = page_problem ?? scene.problem;
   element("problem").hidden = !text;
   element("problem").textContent = text ?? "";
 }
@@ -339,15 +363,14 @@ function show_badge() {
   const working = scene.work === "print" ? ", rendering the print" + percent : scene.work === "exact" ? ", rendering the exact draft" + percent : scene.work === "probe" ? ", looking at the scene" + percent : "";
   const badge = element("badge");
   badge.classList.toggle("exact", is_exact());
-  badge.textContent = !probe ? "Looking at the scene" + (scene.work ? percent : " ...")
-    : is_exact() ? `Exact${scene.draft > 1 ? `, from a draft 1:${scene.draft}` : ""} (${figures_of(scene.seconds, 2)} s)`
+  badge.textContent = !live ? "No picture" : !probe ? "Looking at the scene" + (scene.work ? percent : " ...")
+    : is_exact() ? `Exact${exact.draft > 1 ? `, from a draft 1:${exact.draft}` : ""} (${figures_of(exact.seconds, 2)} s)`
     : "Live" + working;
 }
 
 function show_print() {
-  printing &&= !scene.print && !scene.problem;
-  element("print").textContent = printing ? "Stop rendering the print" : "Render the print";
-  element("print").setAttribute("aria-pressed", String(printing));
+  element("print").textContent = scene.printing ? "Stop rendering the print" : "Render the print";
+  element("print").setAttribute("aria-pressed", String(Boolean(scene.printing)));
   if (scene.print)
     element("saved").textContent = `${scene.print} is there. See it: integral replay ${scene.print} -o view.png. Make a page of it: integral print ${scene.print} -o page.pdf`;
 }
@@ -378,6 +401,8 @@ function show() {
   set_control("distance", figures_of(state.distance));
   set_control("distance-slider", Math.log(state.distance), state.distance + " mm");
   element("tint").checked = state.tint;
+  for (const control of document.querySelectorAll("aside [disabled]"))
+    control.disabled = false;
   if (put) {
     const { sheet_distance: plane, parallax } = put, slider = element("plane-slider");
     slider.min = Math.log(depths.least);
@@ -424,13 +449,13 @@ function set_print(change) {
   changed();
 }
 
-function on_number(id, least, greatest, take) {
+function on_number(id, take) {
   element(id).addEventListener("change", (event) => {
-    const value = Number(event.target.value);
-    if (event.target.value.trim() === "" || !(value >= least && value <= greatest))
-      say_problem(`${event.target.labels[0].textContent}: ${event.target.value || "nothing"} is not a number from ${least} to ${greatest}.`);
+    const { value, labels } = event.target, [min, max] = ranges[id];
+    if (value.trim() !== "" && is_legal(id, Number(value)))
+      take(Number(value));
     else
-      take(value);
+      say_problem(`${labels[0].textContent}: ${value || "nothing"} is not a number from ${min} to ${max}.`);
   });
 }
 
@@ -438,12 +463,12 @@ function on_controls() {
   for (const { name, label } of sheets)
     element("sheet").append(new Option(label, name));
   element("sheet").addEventListener("change", (event) => set_print({ sheet: sheets.find(({ name }) => name === event.target.value) }));
-  on_number("dpi", 10, 1e5, (dpi) => set_print({ dpi }));
-  on_number("width", 1, 1e5, (width) => set_print({ width, height: width * state.height / state.width }));
-  on_number("height", 1, 1e5, (height) => set_print({ height }));
-  on_number("distance", 10, 1e6, (distance) => set_print({ distance }));
-  on_number("plane", 1e-9, 1e9, (sheet_distance) => set_placement({ sheet_distance }));
-  on_number("parallax", 0, 100, (parallax) => set_placement({ parallax }));
+  on_number("dpi", (dpi) => set_print({ dpi }));
+  on_number("width", (width) => set_print({ width, height: width * state.height / state.width }));
+  on_number("height", (height) => set_print({ height }));
+  on_number("distance", (distance) => set_print({ distance }));
+  on_number("plane", (sheet_distance) => set_placement({ sheet_distance }));
+  on_number("parallax", (parallax) => set_placement({ parallax }));
   const slide = (id, least, greatest, take) => {
     Object.assign(element(id), { min: Math.log(least), max: Math.log(greatest) });
     element(id).addEventListener("input", (event) => take(Number(Math.exp(event.target.value).toPrecision(4))));
@@ -464,11 +489,8 @@ function on_controls() {
   });
   element("print").addEventListener("click", async () => {
     try {
-      await (printing ? post("/stop-print") : post("/print", settings()));
-      printing = !printing;
-      scene.print = null;
       element("saved").textContent = "";
-      show_print();
+      await (scene.printing ? post("/stop-print") : post("/print", settings()));
     } catch (error) {
       say_problem(error.message);
     }
@@ -482,6 +504,7 @@ function on_controls() {
     }
   });
   window.addEventListener("popstate", () => {
+    is_own_address = false; // so that no new entry ends Redo
     if (read_fragment())
       changed();
   });
@@ -515,39 +538,39 @@ function on_key(event) {
 // A mouse sets the eye's place: the picture's width is the zone's. A finger moves it by the distance dragged.
 function on_pointer() {
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
-  let held = null;
+  let finger = null; // its last position
   const moved = (event) => {
     const box = canvas.getBoundingClientRect();
     if (event.pointerType !== "touch") {
       if (event.buttons || !calm.matches)
         move_eye(2 * (event.clientX - box.left) / box.width - 1, 1 - 2 * (event.clientY - box.top) / box.height);
-    } else if (held) {
-      move_eye(state.eye[0] + 2 * (event.clientX - held.clientX) / box.width, state.eye[1] - 2 * (event.clientY - held.clientY) / box.height);
-      held = event;
+    } else if (finger) {
+      move_eye(state.eye[0] + 2 * (event.clientX - finger.clientX) / box.width, state.eye[1] - 2 * (event.clientY - finger.clientY) / box.height);
+      finger = event;
     }
   };
-  canvas.addEventListener("pointermove", (event) => figures && moved(event));
-  canvas.addEventListener("pointerdown", (event) => { held = event; if (figures) moved(event); });
+  canvas.addEventListener("pointermove", moved);
+  canvas.addEventListener("pointerdown", (event) => { finger = event; moved(event); });
   for (const end of ["pointerup", "pointercancel"])
-    canvas.addEventListener(end, () => { held = null; });
+    canvas.addEventListener(end, () => { finger = null; });
 }
 
 // The sheet is dragged through the scene.
 function on_depths() {
-  let held = false;
+  let dragging = false;
   const moved = (event) => {
     const box = depth_canvas.getBoundingClientRect();
     set_placement({ sheet_distance: Number(distance_at(within((event.clientX - box.left) / box.width, 0, 1)).toPrecision(4)) });
   };
   depth_canvas.addEventListener("pointerdown", (event) => {
-    held = true;
+    dragging = true;
     if (event.isTrusted)
       depth_canvas.setPointerCapture(event.pointerId);
     moved(event);
   });
-  depth_canvas.addEventListener("pointermove", (event) => held && moved(event));
+  depth_canvas.addEventListener("pointermove", (event) => dragging && moved(event));
   for (const end of ["pointerup", "pointercancel"])
-    depth_canvas.addEventListener(end, () => { held = false; });
+    depth_canvas.addEventListener(end, () => { dragging = false; });
 }
 
 function begin() {

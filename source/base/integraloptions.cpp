@@ -327,10 +327,8 @@ std::shared_ptr<const IntegralSceneOptions> Read_Integral_Scene_Options(POVMS_Ob
         result.draft = Draft_In(text(kIntegralAttrib_Draft));
         result.fit = Fit_In(Lower_Case(text(kIntegralAttrib_Fit)));
         const bool size_is_known = result.draft == 1 && !result.free_height;
-        const auto quilt = Read_Integral_Options(options, size_is_known
-                                                              ? options.TryGetInt(
-                                                                    kPOVAttrib_Height, 0)
-                                                              : 0)
+        const auto quilt = Read_Integral_Options(
+                               options, size_is_known ? options.TryGetInt(kPOVAttrib_Height, 0) : 0)
                                .quilt;
         IntegralFrame::Set_Quilt(quilt);
         result.quilt = quilt.has_value();

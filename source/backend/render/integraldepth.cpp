@@ -61,10 +61,10 @@ void IntegralDepth::Find_Row(int row, Trace& trace)
     for (int x = 0; x < optics->film.width; x++)
     {
         const integral::Vec2 centre{x + 0.5, row + 0.5};
-        const auto seen_along = quilt ? quilt->ray(centre) : sampler->pole_ray(centre);
-        if (!seen_along)
+        const auto sight = quilt ? quilt->ray(centre) : sampler->pole_ray(centre);
+        if (!sight)
             continue;
-        const integral::SightLine line = integral::sight_line(*optics, *seen_along);
+        const integral::SightLine line = integral::sight_line(*optics, *sight);
         Ray ray;
         Make_Vector(ray.Origin, line.origin.x, line.origin.y, line.origin.z);
         Make_Vector(ray.Direction, line.direction.x, line.direction.y, line.direction.z);

@@ -21,8 +21,8 @@ struct IntegralView;
 
 /// The depth frame of a frame or a quilt: for each pixel, the depth of the first surface on the ray
 /// from the pixel's centre through its lens's pole or, in a quilt, to its view's eye. Depths are in
-/// mm from the sheet's plane, > 0 behind it; infinite if there is no surface; NaN if the pixel images
-/// nothing.
+/// mm from the sheet's plane, > 0 behind it; infinite if there is no surface; NaN if the pixel
+/// images nothing.
 class IntegralDepth
 {
 public:

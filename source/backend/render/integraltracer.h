@@ -106,8 +106,8 @@ public:
     /// Traces one ray.
     IntegralHit Trace(const integral::SightLine& line, bool pretrace = false);
     IntegralHit Trace(const integral::BeamRay& ray, bool pretrace = false);
-    /// Traces the rays, at least one, of one pixel or sample, and adds their light to `light`, which
-    /// is empty. Returns their mean light, and the surface that the last of them met.
+    /// Traces the rays, at least one, of one pixel or sample, and adds their light to `light`,
+    /// which is empty. Returns their mean light, and the surface that the last of them met.
     IntegralHit Trace(const std::vector<integral::PixelRay>& rays, IntegralLight& light,
                       bool pretrace = false);
 
