@@ -152,7 +152,7 @@ build_bench_live_view_SOURCES = bench/live_drawing.cpp bench/live_drawing.h benc
 build_bench_live_view_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS) -lEGL -lGLESv2
 bench/live_view.$(OBJEXT): build/generated/replay_page_text.h build/generated/studio_page_text.h
 
-.PHONY: live-against-exact
 live-against-exact: all build/bench/live_view
 	$(srcdir)/bench/live_against_exact
 endif
+.PHONY: live-against-exact

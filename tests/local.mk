@@ -159,6 +159,7 @@ unit_sources = \
   tests/unit/sheet_sampling_forecast.cpp \
   tests/unit/sheet_scene_fit.cpp \
   tests/unit/sheet_zone_shares.cpp \
+  tests/unit/studio_placement.cpp \
   tests/unit/views_parallel_views.cpp \
   tests/unit/views_picture_fit.cpp \
   tests/unit/wireframe.cpp \

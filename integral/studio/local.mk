@@ -27,6 +27,7 @@ endif
 studio_page_files = \
   integral/studio/live_view.glsl \
   integral/studio/live_view.js \
+  integral/studio/studio_controls.js \
   integral/studio/studio_page.html \
   integral/studio/studio_page.js
 

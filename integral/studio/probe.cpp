@@ -14,6 +14,7 @@
 namespace integral {
 namespace {
 
+constexpr int fine_width = 640;     // of a view with side views beside it, pixels
 constexpr double sheet_width = 100; // mm; any width serves, since the probe's sheet shows no lenses
 
 int height_of(const ProbeRequest& request)
@@ -75,6 +76,34 @@ ProbeView view_of(const DepthFrame& depths, const Image& picture, const ProbeReq
 }
 
 } // namespace
+
+ProbeRequest probe_for(const FrameMetadata& frame, double probe_distance)
+{
+    constexpr int views = 3;
+    // The outer eyes of N are at (N - 1) / N of the zone's edges.
+    constexpr double to_edges = double(views) / (views - 1);
+    const Vec2 print = size_of(frame.film), zone = viewing_zone(frame.sheet, frame.aperture);
+    const double scale = to_edges * frame.parallax->factor / print.x *
+                         frame.placement->sheet_distance / probe_distance;
+    ProbeRequest request;
+    request.width = fine_width;
+    request.aspect = print.x / print.y;
+    request.zone = {scale * zone.x, scale * zone.y};
+    request.grid = {request.zone.x > 0 ? views : 1, request.zone.y > 0 ? views : 1};
+    return request;
+}
+
+bool serves(const ProbeRequest& present, const ProbeRequest& required)
+{
+    const auto is_near = [](double a, double b, double ratio) {
+        return (a == 0) == (b == 0) && a <= ratio * b && b <= ratio * a;
+    };
+    return present.width == required.width && is_near(present.aspect, required.aspect, 1.01) &&
+           present.grid.columns == required.grid.columns &&
+           present.grid.rows == required.grid.rows &&
+           is_near(present.zone.x, required.zone.x, 1.5) &&
+           is_near(present.zone.y, required.zone.y, 1.5);
+}
 
 std::vector<std::string> probe_words(const std::string& scene,
                                      const std::vector<std::string>& options,

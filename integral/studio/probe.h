@@ -39,6 +39,14 @@ struct Probe {
                        ///< pixels
 };
 
+/// The probe that a frame needs: three views each way in which views differ, the outer ones at the
+/// edges of the region from which the frame's rays see the scene. `frame`: with its placement and
+/// parallax. `probe_distance`: Probe::sheet_distance.
+ProbeRequest probe_for(const FrameMetadata& frame, double probe_distance);
+
+/// Whether a probe serves where another one is required.
+bool serves(const ProbeRequest& present, const ProbeRequest& required);
+
 /// The words of povray-integral's command line that render a probe's pictures into `scratch`.
 /// `options`: the user's further words. Throws InputError.
 std::vector<std::string> probe_words(const std::string& scene,

@@ -15,7 +15,7 @@
 namespace integral {
 namespace {
 
-constexpr int first_width = 320, second_width = 640;                // of a probe's view, pixels
+constexpr int first_width = 320;                                    // of a probe's view, pixels
 constexpr auto time_between_looks = std::chrono::milliseconds(500); // at the scene's files
 constexpr auto time_without_listeners = std::chrono::seconds(10);   // ends a render
 
@@ -34,38 +34,6 @@ std::string stamp_of(const std::string& path)
 int size_option(const std::vector<std::string>& words, const char* keyword, const char* letter)
 {
     return std::max(0, std::atoi(value_of_option(words, keyword, letter).c_str()));
-}
-
-/// The probe that a frame needs: three views each way in which views differ, the outer ones at the
-/// edges of the region from which the frame's rays see the scene. `probe_distance`: the distance of
-/// the probe's window, scene units.
-ProbeRequest probe_for(const FrameMetadata& frame, double probe_distance)
-{
-    constexpr int views = 3;
-    // The outer eyes of N are at (N - 1) / N of the zone's edges.
-    constexpr double to_edges = double(views) / (views - 1);
-    const Vec2 print = size_of(frame.film), zone = viewing_zone(frame.sheet, frame.aperture);
-    const double scale = to_edges * frame.parallax->factor / print.x *
-                         frame.placement->sheet_distance / probe_distance;
-    ProbeRequest request;
-    request.width = second_width;
-    request.aspect = print.x / print.y;
-    request.zone = {scale * zone.x, scale * zone.y};
-    request.grid = {request.zone.x > 0 ? views : 1, request.zone.y > 0 ? views : 1};
-    return request;
-}
-
-/// Whether a probe serves where another one is required.
-bool serves(const ProbeRequest& present, const ProbeRequest& required)
-{
-    const auto is_near = [](double a, double b, double ratio) {
-        return (a == 0) == (b == 0) && a <= ratio * b && b <= ratio * a;
-    };
-    return present.width == required.width && is_near(present.aspect, required.aspect, 1.01) &&
-           present.grid.columns == required.grid.columns &&
-           present.grid.rows == required.grid.rows &&
-           is_near(present.zone.x, required.zone.x, 1.5) &&
-           is_near(present.zone.y, required.zone.y, 1.5);
 }
 
 } // namespace

@@ -45,16 +45,16 @@ Json sheet_choices()
 std::string studio_page(const std::string& scene, const ServerRequest& request)
 {
     const std::string title = markup_text(scene);
-    return filled_template(
-        studio_page_html,
-        {{"TITLE", title},
-         {"STYLE_NONCE", request.nonce},
-         {"TITLE", title},
-         {"SHEETS", json_within_html(sheet_choices().dump())},
-         {"REPLAY_SHADER", std::string(sheet_optics_glsl) + replay_page_glsl},
-         {"LIVE_SHADER", std::string(sheet_optics_glsl) + live_view_glsl},
-         {"SCRIPT_NONCE", request.nonce},
-         {"SCRIPT", std::string(replay_drawing_js) + live_view_js + studio_page_js}});
+    return filled_template(studio_page_html,
+                           {{"TITLE", title},
+                            {"STYLE_NONCE", request.nonce},
+                            {"TITLE", title},
+                            {"SHEETS", json_within_html(sheet_choices().dump())},
+                            {"REPLAY_SHADER", std::string(sheet_optics_glsl) + replay_page_glsl},
+                            {"LIVE_SHADER", std::string(sheet_optics_glsl) + live_view_glsl},
+                            {"SCRIPT_NONCE", request.nonce},
+                            {"SCRIPT", std::string(replay_drawing_js) + live_view_js +
+                                           studio_page_js + studio_controls_js}});
 }
 
 } // namespace integral
