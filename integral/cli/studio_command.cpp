@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral studio: a page on which a scene is placed on a sheet.
 #include "integral/batch/renderer_options.h"
-#include "integral/cli/command.h"
-#include "integral/cli/values.h"
+#include "integral/cli/geometry_options.h"
+#include "integral/io/image_file.h"
 #include "integral/studio/studio.h"
 
 #include <cstdio>
@@ -11,14 +11,44 @@ namespace integral {
 namespace {
 
 struct StudioOptions : CommonOptions {
+    SheetOptions sheet;
+    std::optional<std::string> start, dpi, print, distance;
     std::optional<int> port;
     bool no_browser = false;
 };
 
 void declare(options::options_description& all, StudioOptions& o)
 {
+    declare(all, o.sheet);
+    declare_start_geometry(all, o.start);
+    add(all, "dpi", o.dpi, "D", "of the printer (default 720)");
+    add(all, "print", o.print, "WxH",
+        "size of the picture in mm (default: 150 on the longer side, of the scene's shape)");
+    add(all, "distance", o.distance, "MM", "from the viewer to the sheet (default 400)");
     add(all, "port", o.port, "PORT", "the port of the page (default: a free one)");
     add(all, "no-browser", o.no_browser, "print the page's address and do not open a browser");
+}
+
+/// The settings to begin with. Throws UsageError and InputError.
+PlacementSettings settings_of(const StudioOptions& o)
+{
+    PlacementSettings settings = first_settings();
+    if (o.start) {
+        const FrameMetadata start = read_metadata(*o.start);
+        settings.sheet = start.sheet;
+        settings.dpi = mm_per_inch / start.film.pixel_pitch.x;
+        settings.viewing_distance = start.aperture.distance;
+    }
+    change_sheet(o.sheet, settings.sheet);
+    read_positive("dpi", o.dpi, settings.dpi);
+    read_positive("distance", o.distance, settings.viewing_distance);
+    if (o.print)
+        settings.print = parse_paper_size("print", *o.print);
+    FrameMetadata frame;
+    frame.sheet = settings.sheet;
+    frame.film.pixel_pitch = {mm_per_inch / settings.dpi, mm_per_inch / settings.dpi};
+    check_geometry(frame);
+    return settings;
 }
 
 int run(const StudioOptions& o)
@@ -27,8 +57,10 @@ int run(const StudioOptions& o)
     if (!names_scene(scene))
         throw UsageError(scene + ": not a scene; give a .pov or .ini file");
     const std::vector<std::string> words(o.inputs.begin() + 1, o.inputs.end());
-    SceneRenders renders(scene, words);
-    Studio studio(scene, renders);
+    const PlacementSettings first = settings_of(o);
+    SceneRenders renders(scene, words,
+                         o.print ? std::optional(first.print.x / first.print.y) : std::nullopt);
+    Studio studio(scene, first, renders);
     Server server(o.port ? in_range("port", *o.port, 1, 65535) : 0,
                   [&](const ServerRequest& request) { return studio.answer(request); });
     std::printf("the studio is at %s (Ctrl+C ends it)\n", server.address().c_str());
@@ -49,16 +81,17 @@ int run(const StudioOptions& o)
 const Command studio_command = {
     "studio",
     "a page on which a scene is placed on a sheet by dragging, live",
-    "SCENE [+W +H ...]",
+    "SCENE [+W +H ...] [--lpi N | --sheet FILE.json] [--dpi D] [--print WxH] [--distance MM]",
     R"(Opens a page in a browser on this machine and prints its address. The page shows the scene
 through a lens sheet: drag the sheet through the scene, change the parallax, choose sheet,
 print size, printer and viewing distance, move the eye, and see what is sharp, soft and beyond
 the depth budget. While nothing moves, povray-integral renders a draft of the print, and the
 page shows what an eye sees of it.
 
-Save writes a settings file that povray-integral renders. Words after the scene are for
-povray-integral, as +W900 +H600, which set the picture's shape. The page notices when
-the scene's files change. Only this machine can reach the page. Ctrl+C ends the command.
+The options describe your own sheet, printer and print to begin with; the page's list has the
+known sheets besides. Save writes a settings file that povray-integral
+renders. Words after the scene are for povray-integral, as +W900 +H600, which set the picture's
+shape. The page notices when the scene's files change. Only this machine can reach the page. Ctrl+C ends the command.
 )",
     1,
     1000,

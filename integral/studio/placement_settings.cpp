@@ -70,15 +70,18 @@ Json json_of(const DepthShares& shares)
 
 } // namespace
 
-PlacementSettings first_settings(double aspect)
+PlacementSettings first_settings()
 {
-    constexpr double longer_side = 150;
     PlacementSettings settings;
     settings.sheet = *sheet_of_lpi(60);
-    settings.dpi = 720;
-    settings.print = aspect >= 1 ? Vec2{longer_side, longer_side / aspect}
-                                 : Vec2{longer_side * aspect, longer_side};
     return settings;
+}
+
+Vec2 print_of_aspect(double aspect)
+{
+    constexpr double longer_side = 150;
+    return aspect >= 1 ? Vec2{longer_side, longer_side / aspect}
+                       : Vec2{longer_side * aspect, longer_side};
 }
 
 PlacementSettings settings_from_json(const std::string& text)

@@ -17,17 +17,19 @@ namespace integral {
 /// Lengths in mm, unless stated otherwise.
 struct PlacementSettings {
     LensSheet sheet;
-    double dpi = 300; ///< of the printer
+    double dpi = 720; ///< of the printer
     Vec2 print;       ///< width and height of the picture, > 0
     double viewing_distance = 400;
     std::optional<double> sheet_distance; ///< scene units from the scene's eye; empty: fitted
     std::optional<double> parallax;       ///< empty: fitted
     double budgets = 2; ///< for the fit: depth budgets on either side of the sheet, > 0
-};
+}; /// Settings to begin with: a lenticular sheet of 60 lenses per inch at 720 dpi, fitted. The
+   /// print
+/// has no size yet.
+PlacementSettings first_settings();
 
-/// Settings to begin with: a lenticular sheet of 60 lenses per inch at 720 dpi, 150 mm on the
-/// longer side of a picture with that aspect (width / height), fitted.
-PlacementSettings first_settings(double aspect);
+/// A print with 150 mm on the longer side and that aspect (width / height).
+Vec2 print_of_aspect(double aspect);
 
 /// Reads a JSON object with the fields sheet (as in a frame's document), dpi, print_mm,
 /// viewing_distance_mm, budgets and, optional or null, sheet_distance and parallax. Throws

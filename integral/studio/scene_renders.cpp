@@ -51,7 +51,8 @@ struct SceneRenders::Job {
     std::string picture() const { return scratch.path("picture.png"); }
 };
 
-SceneRenders::SceneRenders(const std::string& scene, const std::vector<std::string>& options)
+SceneRenders::SceneRenders(const std::string& scene, const std::vector<std::string>& options,
+                           std::optional<double> aspect)
     : scene_(scene), options_(options)
 {
     scene_words(scene); // throws for a name that cannot work
@@ -59,7 +60,7 @@ SceneRenders::SceneRenders(const std::string& scene, const std::vector<std::stri
               height = size_option(options, "height", "h");
     ProbeRequest first;
     first.width = first_width;
-    first.aspect = width > 0 && height > 0 ? double(width) / height : 4.0 / 3;
+    first.aspect = aspect ? *aspect : width > 0 && height > 0 ? double(width) / height : 4.0 / 3;
     next_probe_ = first;
 }
 

@@ -28,9 +28,11 @@ struct ExactDraft {
 /// scene's files starts this anew. Nothing is rendered while no page listens.
 class SceneRenders {
 public:
-    /// `scene`: a scene's name (names_scene); `options`: further words for povray-integral. Throws
+    /// `scene`: a scene's name (names_scene); `options`: further words for povray-integral;
+    /// `aspect`: width / height of the print, if known, else the options' +W and +H give it. Throws
     /// InputError if the name cannot work.
-    SceneRenders(const std::string& scene, const std::vector<std::string>& options);
+    SceneRenders(const std::string& scene, const std::vector<std::string>& options,
+                 std::optional<double> aspect);
     ~SceneRenders();
 
     // For any thread.

@@ -70,7 +70,8 @@ std::string print_name(const std::string& scene, const char* extension)
 
 } // namespace
 
-Studio::Studio(const std::string& scene, SceneRenders& renders) : scene_(scene), renders_(renders)
+Studio::Studio(const std::string& scene, const PlacementSettings& first, SceneRenders& renders)
+    : scene_(scene), first_(first), renders_(renders)
 {
 }
 
@@ -83,7 +84,7 @@ std::optional<ServerAnswer> Studio::answer(const ServerRequest& request)
             return ServerAnswer{400, error.what(), "text/plain; charset=utf-8"};
         }
     if (request.path == "/")
-        return ServerAnswer{200, studio_page(stem_of(scene_), request)};
+        return ServerAnswer{200, studio_page(stem_of(scene_), first_.sheet, request)};
     if (request.path == "/events") {
         ServerAnswer events;
         const auto listener = std::make_shared<SceneRenders::Listener>(renders_);
@@ -131,10 +132,9 @@ std::string Studio::figures(const std::string& text) const
 {
     const std::shared_ptr<const Probe> probe = renders_.probe();
     const DepthFrame* const depths = probe ? &probe->depths : nullptr;
-    const PlacementSettings settings = !text.empty() ? settings_from_json(text)
-                                                     : first_settings(probe ? double(probe->width) /
-                                                                                  probe->height
-                                                                            : 4.0 / 3);
+    PlacementSettings settings = text.empty() ? first_ : settings_from_json(text);
+    if (!(settings.print.x > 0))
+        settings.print = print_of_aspect(probe ? double(probe->width) / probe->height : 4.0 / 3);
     Json figures = settings_figures(settings, depths);
     figures["settings"] = json_of(settings);
     return figures.dump();

@@ -14,8 +14,8 @@ namespace integral {
 /// - GET "/probe": probe_bytes of the newest probe; status 404 before the first.
 /// - GET "/exact": the newest exact draft: a line of JSON (the frame's document), padded with
 ///   spaces to a multiple of four bytes, then the pixels: R, G, B and alpha, 8-bit sRGB.
-/// - POST "/figures" with settings (settings_from_json): settings_figures. Without settings: those
-///   of first_settings, in the field `settings`.
+/// - POST "/figures" with settings (settings_from_json): settings_figures. Without settings: the
+///   first ones, in the field `settings`.
 /// - POST "/exact/NUMBER" with settings: requests the exact draft. POST "/stop/NUMBER": ends
 ///   that work.
 /// - POST "/print" with settings: requests the print, in the working folder; POST "/stop-print"
@@ -25,8 +25,9 @@ namespace integral {
 /// Settings that cannot work are answered by status 400 and a sentence. No path names a file.
 class Studio {
 public:
-    /// `scene`: as given to `renders`, which must outlive this.
-    Studio(const std::string& scene, SceneRenders& renders);
+    /// `scene`: as given to `renders`, which must outlive this. `first`: the settings to begin
+    /// with; a print of size 0 gets the shape of the scene's picture.
+    Studio(const std::string& scene, const PlacementSettings& first, SceneRenders& renders);
 
     /// May be called by several threads at once.
     std::optional<ServerAnswer> answer(const ServerRequest& request);
@@ -38,11 +39,14 @@ private:
     std::string save(const PlacementSettings& settings) const;
 
     const std::string scene_;
+    const PlacementSettings first_;
     SceneRenders& renders_;
 };
 
-/// The studio's page for a scene of that name.
-std::string studio_page(const std::string& scene, const ServerRequest& request);
+/// The studio's page for a scene of that name. `sheet`: the first one, for the list of sheets if it
+/// is none of the known ones.
+std::string studio_page(const std::string& scene, const LensSheet& sheet,
+                        const ServerRequest& request);
 
 } // namespace integral
 

@@ -24,8 +24,11 @@ std::string label_of(const KnownSheet& known)
            (known.of_thesis ? ", " + with_digits(known.sheet.pitch, 4) + " mm (thesis)" : "");
 }
 
-/// The known sheets for the page's list, lenticular ones first, from coarse to fine.
-Json sheet_choices()
+bool are_equal(const LensSheet& a, const LensSheet& b) { return json_of(a) == json_of(b); }
+
+/// The sheets for the page's list: `own`, unless it is known, then the known ones, lenticular ones
+/// first, from coarse to fine.
+Json sheet_choices(const LensSheet& own)
 {
     std::vector<KnownSheet> sheets = known_sheets();
     std::stable_sort(sheets.begin(), sheets.end(), [](const KnownSheet& a, const KnownSheet& b) {
@@ -34,6 +37,11 @@ Json sheet_choices()
                    : a.sheet.pitch > b.sheet.pitch;
     });
     Json choices = Json::array();
+    if (std::none_of(sheets.begin(), sheets.end(),
+                     [&](const KnownSheet& known) { return are_equal(known.sheet, own); }))
+        choices.push_back({{"name", "own"},
+                           {"label", "own, " + label_of({"own", own})},
+                           {"sheet", json_of(own)}});
     for (const KnownSheet& known : sheets)
         choices.push_back(
             {{"name", known.name}, {"label", label_of(known)}, {"sheet", json_of(known.sheet)}});
@@ -42,14 +50,15 @@ Json sheet_choices()
 
 } // namespace
 
-std::string studio_page(const std::string& scene, const ServerRequest& request)
+std::string studio_page(const std::string& scene, const LensSheet& sheet,
+                        const ServerRequest& request)
 {
     const std::string title = markup_text(scene);
     return filled_template(studio_page_html,
                            {{"TITLE", title},
                             {"STYLE_NONCE", request.nonce},
                             {"TITLE", title},
-                            {"SHEETS", json_within_html(sheet_choices().dump())},
+                            {"SHEETS", json_within_html(sheet_choices(sheet).dump())},
                             {"REPLAY_SHADER", std::string(sheet_optics_glsl) + replay_page_glsl},
                             {"LIVE_SHADER", std::string(sheet_optics_glsl) + live_view_glsl},
                             {"SCRIPT_NONCE", request.nonce},

@@ -26,7 +26,7 @@ function settings() {
 }
 
 function use_settings({ sheet, print_mm, dpi, viewing_distance_mm, sheet_distance, parallax, budgets }) {
-  state.sheet = sheets.find((known) => known.sheet.pitch_mm === sheet.pitch_mm && known.sheet.arrangement === sheet.arrangement) ?? sheets[0];
+  state.sheet = sheets.find((known) => JSON.stringify(known.sheet) === JSON.stringify(sheet));
   [state.width, state.height] = print_mm;
   Object.assign(state, { dpi, distance: viewing_distance_mm, sheet_distance, parallax, budgets });
 }

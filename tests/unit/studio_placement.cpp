@@ -43,7 +43,8 @@ BOOST_AUTO_TEST_SUITE(studio_placement)
 BOOST_AUTO_TEST_CASE(the_window_keeps_its_angle_at_every_distance)
 {
     const DepthFrame probe = scene_probe();
-    PlacementSettings settings = first_settings(4.0 / 3);
+    PlacementSettings settings = first_settings();
+    settings.print = print_of_aspect(4.0 / 3);
     settings.parallax = 0.2;
     for (const double distance : {2.0, 6.0, 25.0}) {
         settings.sheet_distance = distance;
@@ -63,7 +64,8 @@ BOOST_AUTO_TEST_CASE(the_window_keeps_its_angle_at_every_distance)
 BOOST_AUTO_TEST_CASE(a_fit_keeps_what_is_given)
 {
     const DepthFrame probe = scene_probe();
-    PlacementSettings settings = first_settings(4.0 / 3);
+    PlacementSettings settings = first_settings();
+    settings.print = print_of_aspect(4.0 / 3);
     const FrameMetadata fitted = frame_of_settings(settings, &probe);
     BOOST_TEST(fitted.parallax->factor < 1);
     BOOST_TEST(fitted.placement->sheet_distance > 3);
@@ -78,7 +80,8 @@ BOOST_AUTO_TEST_CASE(a_fit_keeps_what_is_given)
 BOOST_AUTO_TEST_CASE(side_views_reach_the_edges_of_the_region_of_the_eyes)
 {
     const DepthFrame probe = scene_probe();
-    PlacementSettings settings = first_settings(4.0 / 3);
+    PlacementSettings settings = first_settings();
+    settings.print = print_of_aspect(4.0 / 3);
     settings.sheet_distance = 9;
     settings.parallax = 0.1;
     const FrameMetadata frame = frame_of_settings(settings, &probe);
@@ -99,7 +102,8 @@ BOOST_AUTO_TEST_CASE(side_views_reach_the_edges_of_the_region_of_the_eyes)
 
 BOOST_AUTO_TEST_CASE(settings_read_back_from_their_json)
 {
-    PlacementSettings settings = first_settings(0.75);
+    PlacementSettings settings = first_settings();
+    settings.print = print_of_aspect(0.75);
     settings.sheet_distance = 1.5;
     const PlacementSettings read = settings_from_json(json_of(settings).dump());
     BOOST_TEST(read.sheet.pitch == settings.sheet.pitch);
