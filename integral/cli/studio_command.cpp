@@ -38,7 +38,8 @@ PlacementSettings settings_of(const StudioOptions& o)
         settings.sheet = start.sheet;
         settings.dpi = mm_per_inch / start.film.pixel_pitch.x;
         settings.viewing_distance = start.aperture.distance;
-    }
+    } else if (first_given(o.sheet))
+        settings.sheet = default_geometry().sheet;
     change_sheet(o.sheet, settings.sheet);
     read_positive("dpi", o.dpi, settings.dpi);
     read_positive("distance", o.distance, settings.viewing_distance);
@@ -82,16 +83,17 @@ const Command studio_command = {
     "studio",
     "a page on which a scene is placed on a sheet by dragging, live",
     "SCENE [+W +H ...] [--lpi N | --sheet FILE.json] [--dpi D] [--print WxH] [--distance MM]",
-    R"(Opens a page in a browser on this machine and prints its address. The page shows the scene
-through a lens sheet: drag the sheet through the scene, change the parallax, choose sheet,
-print size, printer and viewing distance, move the eye, and see what is sharp, soft and beyond
-the depth budget. While nothing moves, povray-integral renders a draft of the print, and the
-page shows what an eye sees of it.
+    R"(Opens a page in a browser on this machine and prints its address. The page shows
+the scene through a lens sheet: drag the sheet through the scene, change the parallax,
+choose sheet, print size, printer and viewing distance, move the eye, and see what is
+sharp, soft and beyond the depth budget. While nothing moves, povray-integral renders a
+draft of the print, and the page shows what an eye sees of it. Save writes a settings
+file that povray-integral renders.
 
-The options describe your own sheet, printer and print to begin with; the page's list has the
-known sheets besides. Save writes a settings file that povray-integral
-renders. Words after the scene are for povray-integral, as +W900 +H600, which set the picture's
-shape. The page notices when the scene's files change. Only this machine can reach the page. Ctrl+C ends the command.
+The options describe the sheet, printer and print to begin with (without them 60 lenses
+per inch); the page's list has the known sheets besides. Words after the scene are for
+povray-integral, as +W900 +H600, which set the picture's shape. The page notices when
+the scene's files change. Only this machine can reach the page. Ctrl+C ends the command.
 )",
     1,
     1000,
