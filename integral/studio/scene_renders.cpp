@@ -253,7 +253,7 @@ void SceneRenders::watch_files()
         words.insert(words.end(), options_.begin(), options_.end());
         for (const SceneFile& file : files_of_scene(scene_, {".", words, ""}))
             files.emplace_back(file.path, stamp_of(file.path));
-    } catch (const InputError&) {
+    } catch (const std::exception&) {
         files.clear(); // the scene is not here, but where povray-integral finds it; or is missing
     }
     const bool is_first = !is_watching_;
