@@ -164,7 +164,7 @@ void LiveDrawing::set_probe(const Probe& probe)
     c.eyes.clear();
     c.max_nearness = 0;
     for (int view = 0; view < c.views; ++view) {
-        const Probe::View& v = probe.views[view];
+        const ProbeView& v = probe.views[view];
         std::vector<float> relative;
         for (const float nearness : v.nearness)
             relative.push_back(float(nearness * probe.sheet_distance));

@@ -5,24 +5,12 @@
 
 #include "integral/frame/frame.h"
 #include "integral/replay/replay.h"
+#include "integral/studio/probe.h"
 
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace integral::bench {
-
-/// Pictures of a scene from eyes in the plane of its own eye; fields as in LiveView.set_probe.
-struct Probe {
-    struct View {
-        Vec2 eye; ///< scene units
-        std::vector<std::uint8_t> colours;
-        std::vector<float> nearness;
-    };
-    int width = 0, height = 0;
-    double sheet_distance = 0; ///< scene units
-    std::vector<View> views;
-};
 
 /// The sheet's place in the scene.
 struct LivePlacement {

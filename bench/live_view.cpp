@@ -5,8 +5,7 @@
 #include "bench/live_drawing.h"
 #include "bench/program.h"
 
-#include "build/generated/replay_page_text.h" // sheet_optics_glsl
-#include "build/generated/studio_page_text.h" // live_view_glsl
+#include "build/generated/page_texts.h" // sheet_optics_glsl, live_view_glsl
 #include "integral/io/image_file.h"
 
 #include <chrono>
@@ -29,57 +28,28 @@ std::vector<double> numbers(const std::string& text)
     return values;
 }
 
-/// The tile of a view in a quilt: its upper left pixel.
-std::pair<int, int> tile_of(const ViewGrid& grid, int view, int width, int height, int quilt_height)
-{
-    const int column = view % grid.columns, row = view / grid.columns;
-    return {column * width, quilt_height - (row + 1) * height};
-}
-
 /// Reads the views of a quilt with depths: all, or the numbers in `chosen`.
 Probe probe_of(const std::string& quilt_file, const std::string& depth_file,
                std::vector<double> chosen)
 {
     const Views quilt = read_views(quilt_file, true);
     const DepthFrame depths = read_depths(depth_file);
-    if (!quilt.metadata || !quilt.metadata->quilt || !quilt.metadata->quilt->eyes ||
-        !quilt.metadata->placement)
-        throw UsageError(quilt_file + ": is no quilt of Integral_Quilt");
-    const FrameMetadata& metadata = *quilt.metadata;
-    const ViewGrid grid = metadata.quilt->grid, directions = directions_of(grid, metadata.sheet);
-    const EyeGrid eyes = *metadata.quilt->eyes;
+    const FrameMetadata& metadata = depths.metadata;
+    if (!metadata.quilt || !metadata.quilt->eyes || !metadata.placement)
+        throw UsageError(depth_file + ": has no depths of a quilt of Integral_Quilt");
+    const ViewGrid grid = metadata.quilt->grid;
     const Image image = converted(quilt.image, 8, Encoding(), false);
-    const double units = metadata.placement->units_per_mm, d0 = scene_distance(metadata);
+    if (depths.depth.size() != std::size_t(image.width) * image.height)
+        throw UsageError(depth_file + ": is not as large as " + quilt_file);
     Probe probe;
     probe.width = image.width / grid.columns;
     probe.height = image.height / grid.rows;
-    probe.sheet_distance = units * d0;
-    if (depths.depth.size() != std::size_t(image.width) * image.height)
-        throw UsageError(depth_file + ": is not as large as " + quilt_file);
+    probe.sheet_distance = metadata.placement->units_per_mm * scene_distance(metadata);
     if (chosen.empty())
         for (int view = 0; view < grid.count(); ++view)
             chosen.push_back(view);
-    const Collineation relief = relief_of(metadata);
-    for (const double number : chosen) {
-        const int view = int(number);
-        const auto place = [](int k, int count) { return (k + 0.5) / count - 0.5; };
-        Probe::View v;
-        v.eye = {units * place(view % directions.columns, directions.columns) * eyes.zone.x,
-                 units * place(view / directions.columns, directions.rows) * eyes.zone.y};
-        const auto [left, top] = tile_of(grid, view, probe.width, probe.height, image.height);
-        for (int y = top; y < top + probe.height; ++y)
-            for (int x = left; x < left + probe.width; ++x) {
-                const Colour colour = stored_pixel(image, x, y);
-                for (const float part : {colour.r, colour.g, colour.b})
-                    v.colours.push_back(std::uint8_t(std::lround(255 * part)));
-                const std::size_t at = std::size_t(y) * image.width + x;
-                const auto z = preimage_depth(relief, depths.depth[at]);
-                v.nearness.push_back(depths.imaged[at] > 0 && z && std::isfinite(*z)
-                                         ? float(1 / (units * (d0 + *z)))
-                                         : 0.0f);
-            }
-        probe.views.push_back(std::move(v));
-    }
+    for (const double view : chosen)
+        probe.views.push_back(probe_view(image, depths, int(view)));
     return probe;
 }
 

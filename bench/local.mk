@@ -150,7 +150,7 @@ if HAVE_GLES
 EXTRA_PROGRAMS += build/bench/live_view
 build_bench_live_view_SOURCES = bench/live_drawing.cpp bench/live_drawing.h bench/live_view.cpp bench/program.h
 build_bench_live_view_LDADD = $(LIBINTEGRAL_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS) -lEGL -lGLESv2
-bench/live_view.$(OBJEXT): build/generated/replay_page_text.h build/generated/studio_page_text.h
+bench/live_view.$(OBJEXT): build/generated/page_texts.h
 
 live-against-exact: all build/bench/live_view
 	$(srcdir)/bench/live_against_exact

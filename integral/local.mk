@@ -8,6 +8,10 @@ bin_PROGRAMS += build/bin/integral
 build_bin_integral_SOURCES =
 build_bin_integral_LDADD = $(LIBINTEGRAL_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS)
 
+# Pages' own files, and the objects that contain them.
+page_files =
+page_objects =
+
 include $(srcdir)/integral/base/local.mk
 include $(srcdir)/integral/optics/local.mk
 include $(srcdir)/integral/frame/local.mk
@@ -28,6 +32,14 @@ include $(srcdir)/integral/batch/local.mk
 include $(srcdir)/integral/laboratory/local.mk
 include $(srcdir)/integral/studio/local.mk
 include $(srcdir)/integral/cli/local.mk
+
+# The pages' files as C++ strings named like them: replay_page.html is replay_page_html.
+EXTRA_DIST += $(page_files)
+CLEANFILES += build/generated/page_texts.h
+build/generated/page_texts.h: $(page_files)
+	$(AM_V_GEN)$(MKDIR_P) build/generated && $(srcdir)/unix/texts-as-strings $(page_files:%=$(srcdir)/%) > $@.tmp && \
+	    mv $@.tmp $@
+$(page_objects): build/generated/page_texts.h
 
 # Man pages and completion for bash say what its commands declare.
 integral_commands = studio sheet replay views flip print lcd depth compare tune batch wireframe rectify mask resolve multiview

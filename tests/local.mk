@@ -265,6 +265,6 @@ fuzz_objects = $(patsubst %.cpp,build/fuzz/%.o,$(filter %.cpp,$(build_lib_libint
   $(filter-out integral/cli/main.cpp,$(build_bin_integral_SOURCES)) $(fuzz_sources)))
 build/fuzz/readers: $(fuzz_objects)
 	$(AM_V_CXXLD)$(FUZZ_CXX) -fsanitize=fuzzer,address,undefined -o $@ $(fuzz_objects) $(FILE_LIBS) $(SDL2_LIBS) $(BOOST_PROGRAM_OPTIONS_LIBS) -lpthread
-build/fuzz/%.o: %.cpp build/generated/replay_page_text.h build/generated/studio_page_text.h
+build/fuzz/%.o: %.cpp build/generated/page_texts.h
 	$(AM_V_CXX)$(MKDIR_P) $(@D) && $(FUZZ_CXX) $(DEFS) $(AM_CPPFLAGS) $(FUZZ_CXXFLAGS) -MMD -MP -c -o $@ $<
 -include $(fuzz_objects:.o=.d)

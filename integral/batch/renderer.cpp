@@ -87,7 +87,8 @@ InputError no_renderer(const std::string& said)
                       "; it belongs beside this program, or on PATH");
 }
 
-std::vector<std::string> scene_words(const std::string& scene)
+std::vector<std::string> scene_words(const std::string& scene,
+                                     const std::vector<std::string>& options)
 {
     if (scene == "-" || is_special(scene))
         throw InputError(scene +
@@ -103,6 +104,7 @@ std::vector<std::string> scene_words(const std::string& scene)
     words.push_back((names_settings(scene) ? "" : "+I") + quoted(scene));
     for (const char* word : {"-D", "+KFI1", "+KFF1"})
         words.push_back(word);
+    words.insert(words.end(), options.begin(), options.end());
     return words;
 }
 

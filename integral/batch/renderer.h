@@ -46,10 +46,11 @@ InputError no_renderer(const std::string& said);
 double rendered_part(const std::string& said);
 
 /// The words of povray-integral's command line for a scene (names_scene): one picture of an
-/// animation, no window. povray-integral searches its library path for a scene that is not at this
-/// path. Throws InputError for a pipe or device, which can be read only once, and for a name that
-/// povray-integral cannot open.
-std::vector<std::string> scene_words(const std::string& scene);
+/// animation, no window; then `options`. povray-integral searches its library path for a scene that
+/// is not at this path. Throws InputError for a pipe or device, which can be read only once, and
+/// for a name that povray-integral cannot open.
+std::vector<std::string> scene_words(const std::string& scene,
+                                     const std::vector<std::string>& options = {});
 
 /// Runs povray-integral (renderer_program) and waits for its end. Its output goes to a file in
 /// `scratch`. Throws InputError with `what` (the scene's name) and the renderer's reason if it

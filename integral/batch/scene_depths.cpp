@@ -81,8 +81,7 @@ SceneDepths depths_of_scene(const std::string& path, const std::vector<std::stri
                                 "Integral_Depth_Image=FILE.exr writes them beside it");
     const ScratchFolder scratch;
     const std::string depths = scratch.path("depths.exr"), colours = scratch.path("colours.png");
-    std::vector<std::string> words = scene_words(path);
-    words.insert(words.end(), options.begin(), options.end());
+    std::vector<std::string> words = scene_words(path, options);
     for (const char* word : {"-A", "-P", "+Q1", "Integral_Audit=off", "Integral_Draft=1"})
         words.push_back(word);
     std::optional<FrameMetadata> print;

@@ -26,8 +26,7 @@ Image look_of_scene(const std::string& scene, const std::vector<std::string>& op
 {
     const ScratchFolder scratch;
     const std::string picture = scratch.path("look.png");
-    std::vector<std::string> words = scene_words(scene);
-    words.insert(words.end(), options.begin(), options.end());
+    std::vector<std::string> words = scene_words(scene, options);
     for (const char* word :
          {"-A", "-P", "Integral_Audit=off", "Integral_Depth_Image=", "Integral_Error_Image="})
         words.push_back(word);

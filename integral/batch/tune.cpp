@@ -195,8 +195,7 @@ private:
     {
         const ScratchFolder scratch;
         const std::string picture = scratch.path("band.png");
-        std::vector<std::string> words = scene_words(scene_);
-        words.insert(words.end(), options_.begin(), options_.end());
+        std::vector<std::string> words = scene_words(scene_, options_);
         words.insert(words.end(), setting.options.begin(), setting.options.end());
         words.insert(words.end(), rows.begin(), rows.end());
         words.push_back(camera_option(camera_, setting));

@@ -52,8 +52,7 @@ ScenePictures::ScenePictures(const std::string& scene, std::vector<std::string> 
 
 Frame ScenePictures::frame(const std::string& path, const Progress& progress) const
 {
-    std::vector<std::string> words = scene_words(scene_);
-    words.insert(words.end(), words_.begin(), words_.end());
+    std::vector<std::string> words = scene_words(scene_, words_);
     for (const std::string& word : {"+O\"" + path + "\"", std::string("+FN"), std::string("-P")})
         words.push_back(word);
     render(scene_, words, scratch_, progress);

@@ -22,8 +22,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/replay/suite_comparators.cpp \
   integral/replay/suite_comparators.h
 
-# The interactive page's own files, as C++ strings named like them: replay_page.html is replay_page_html.
-replay_page_files = \
+# The interactive page's own files.
+page_files += \
   integral/replay/comparison_page.js \
   integral/replay/comparison_part.html \
   integral/replay/replay_drawing.js \
@@ -32,13 +32,7 @@ replay_page_files = \
   integral/replay/replay_page.js \
   integral/replay/report_comparator.js \
   integral/replay/sheet_optics.glsl
-
-EXTRA_DIST += $(replay_page_files)
-CLEANFILES += build/generated/replay_page_text.h
-build/generated/replay_page_text.h: $(replay_page_files)
-	$(AM_V_GEN)$(MKDIR_P) build/generated && $(srcdir)/unix/texts-as-strings $(replay_page_files:%=$(srcdir)/%) > $@.tmp && \
-	    mv $@.tmp $@
-integral/replay/replay_page.$(OBJEXT): build/generated/replay_page_text.h
-integral/replay/build_sanitized_libintegral_a-replay_page.$(OBJEXT): build/generated/replay_page_text.h
-integral/replay/suite_comparators.$(OBJEXT): build/generated/replay_page_text.h
-integral/replay/build_sanitized_libintegral_a-suite_comparators.$(OBJEXT): build/generated/replay_page_text.h
+page_objects += integral/replay/replay_page.$(OBJEXT) \
+  integral/replay/build_sanitized_libintegral_a-replay_page.$(OBJEXT) \
+  integral/replay/suite_comparators.$(OBJEXT) \
+  integral/replay/build_sanitized_libintegral_a-suite_comparators.$(OBJEXT)

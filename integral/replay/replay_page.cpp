@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/replay_page.h"
 
-#include "build/generated/replay_page_text.h" // replay_page_html and its like
+#include "build/generated/page_texts.h" // replay_page_html and its like
 #include "integral/base/number_text.h"
 #include "integral/compare/compare_geometry.h"
 #include "integral/compare/seen.h"

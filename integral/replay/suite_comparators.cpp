@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/suite_comparators.h"
 
-#include "build/generated/replay_page_text.h" // report_comparator_js
+#include "build/generated/page_texts.h" // report_comparator_js
 #include "integral/base/interrupt.h"
 #include "integral/io/image_file.h"
 #include "integral/io/markup.h"

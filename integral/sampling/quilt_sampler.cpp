@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/sampling/quilt_sampler.h"
 
+#include "integral/frame/view_eyes.h"
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -31,10 +33,7 @@ std::optional<BeamRay> QuiltSampler::ray(Vec2 pixel) const
     const int column = int(std::floor(across)), row = tiles_.rows - 1 - int(std::floor(down));
     if (column < 0 || column >= tiles_.columns || row < 0 || row >= tiles_.rows)
         return std::nullopt;
-    const int view = row * tiles_.columns + column;
-    const auto place = [](int k, int count) { return (k + 0.5) / count - 0.5; };
-    const Vec2 eye{place(view % directions_.columns, directions_.columns) * eyes_.zone.x,
-                   place(view / directions_.columns, directions_.rows) * eyes_.zone.y};
+    const Vec2 eye = eye_of_view(eyes_, directions_, row * tiles_.columns + column);
     const Vec3 point{(across - column - 0.5) * window_.x,
                      (0.5 - (down - (tiles_.rows - 1 - row))) * window_.y, 0};
     const Vec3 to_eye{eye.x - point.x, eye.y - point.y, -eyes_.distance};

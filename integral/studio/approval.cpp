@@ -2,29 +2,17 @@
 #include "integral/studio/approval.h"
 
 #include "integral/studio/approval_page.h"
+#include "integral/studio/file_stamp.h"
 
 #include <charconv>
-#include <filesystem>
 
 namespace integral {
 namespace {
 
-/// Sizes and times of a pair's files: equal stamps mean that neither was written in between.
-std::string file_stamp(const SuiteFolders& folders, const std::string& name)
+/// The stamps of a pair's files.
+std::string pair_stamp(const SuiteFolders& folders, const std::string& name)
 {
-    namespace fs = std::filesystem;
-    std::string stamp;
-    for (const std::string& path : {folders.reference(name), folders.result(name)}) {
-        std::error_code error;
-        const auto size = fs::file_size(path, error);
-        if (!error)
-            stamp += std::to_string(size);
-        const auto time = fs::last_write_time(path, error);
-        if (!error)
-            stamp += "@" + std::to_string(time.time_since_epoch().count());
-        stamp += "/";
-    }
-    return stamp;
+    return file_stamp(folders.reference(name)) + "/" + file_stamp(folders.result(name));
 }
 
 /// K and WORD in "/picture/K" or "/picture/K/WORD".
@@ -65,7 +53,7 @@ Approval::Approval(const Suite& suite, Accepted accepted)
 {
     for (const SuitePair& pair : suite.pairs)
         if (!pair.passed())
-            items_.push_back({&pair, Decision::none, file_stamp(suite.folders, pair.name)});
+            items_.push_back({&pair, Decision::none, pair_stamp(suite.folders, pair.name)});
 }
 
 std::optional<ServerAnswer> Approval::answer(const ServerRequest& request)
@@ -93,7 +81,7 @@ ServerAnswer Approval::show(std::size_t index, const ServerRequest& request)
     ApprovalItem item;
     {
         const std::lock_guard lock(mutex_);
-        items_[index].stamp = file_stamp(suite_.folders, items_[index].pair->name);
+        items_[index].stamp = pair_stamp(suite_.folders, items_[index].pair->name);
         item = items_[index];
     }
     return {200, approval_picture(suite_.folders, item, index, items_.size(), request)};
@@ -110,7 +98,7 @@ ServerAnswer Approval::decide(std::size_t index, bool accept, const ServerReques
     if (item.decision == Decision::accepted && !accept)
         return refused("It was accepted already, and its reference is replaced.");
     if (accept && item.decision != Decision::accepted) {
-        if (item.stamp != file_stamp(suite_.folders, name))
+        if (item.stamp != pair_stamp(suite_.folders, name))
             return refused("Its files have changed since they were shown; look at them again.");
         try {
             accept_results({name}, suite_.folders, accepted_);

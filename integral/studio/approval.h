@@ -19,7 +19,7 @@ enum class Decision { none, accepted, rejected };
 struct ApprovalItem {
     const SuitePair* pair = nullptr;
     Decision decision = Decision::none;
-    std::string stamp; ///< of its files when last shown (file_stamp)
+    std::string stamp; ///< of its files when last shown (pair_stamp)
 };
 
 struct ApprovalCounts {

@@ -6,6 +6,7 @@
 #include "integral/batch/renderer_options.h"
 #include "integral/frame/geometry_json.h"
 #include "integral/frame/quilt_name.h"
+#include "integral/frame/view_eyes.h"
 #include "integral/io/image_file.h"
 
 #include <algorithm>
@@ -47,34 +48,6 @@ std::string camera_of(const ProbeRequest& request)
     return words;
 }
 
-ProbeView view_of(const DepthFrame& depths, const Image& picture, const ProbeRequest& request,
-                  int column, int row)
-{
-    const FrameMetadata& frame = depths.metadata;
-    const int width = request.width, height = height_of(request), x = column * width,
-              y = (request.grid.rows - 1 - row) * height;
-    const double unit = frame.placement->units_per_mm;
-    const Collineation relief = relief_of(frame);
-    ProbeView view;
-    const auto place = [](int k, int count) { return (k + 0.5) / count - 0.5; };
-    if (frame.quilt->eyes)
-        view.eye = {place(column, request.grid.columns) * frame.quilt->eyes->zone.x * unit,
-                    place(row, request.grid.rows) * frame.quilt->eyes->zone.y * unit};
-    view.colour = part_of(picture, x, y, width, height);
-    view.nearness.reserve(std::size_t(width) * height);
-    for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i) {
-            const auto at = std::size_t(y + j) * picture.width + x + i;
-            const float depth = depths.depth[at];
-            const auto z = depths.imaged[at] > 0 && std::isfinite(depth)
-                               ? preimage_depth(relief, depth)
-                               : std::nullopt;
-            const double distance = z ? (scene_distance(frame) + *z) * unit : 0;
-            view.nearness.push_back(distance > 0 ? float(1 / distance) : 0);
-        }
-    return view;
-}
-
 } // namespace
 
 ProbeRequest probe_for(const FrameMetadata& frame, double probe_distance)
@@ -109,8 +82,7 @@ std::vector<std::string> probe_words(const std::string& scene,
                                      const std::vector<std::string>& options,
                                      const ProbeRequest& request, const ScratchFolder& scratch)
 {
-    std::vector<std::string> words = scene_words(scene);
-    words.insert(words.end(), options.begin(), options.end());
+    std::vector<std::string> words = scene_words(scene, options);
     for (const char* word : {"-A", "-P", "+FN8", "Integral_Audit=off", "Integral_Draft=1",
                              "Integral_Fit=", "Integral_Error_Image="})
         words.push_back(word);
@@ -124,6 +96,33 @@ std::vector<std::string> probe_words(const std::string& scene,
     return words;
 }
 
+ProbeView probe_view(const Image& picture, const DepthFrame& depths, int view)
+{
+    const FrameMetadata& frame = depths.metadata;
+    const ViewGrid grid = frame.quilt->grid;
+    const int width = picture.width / grid.columns, height = picture.height / grid.rows,
+              left = view % grid.columns * width,
+              top = picture.height - (view / grid.columns + 1) * height;
+    const double unit = frame.placement->units_per_mm;
+    const Collineation relief = relief_of(frame);
+    ProbeView result;
+    result.eye = unit * eye_of_view(*frame.quilt->eyes, directions_of(grid, frame.sheet), view);
+    for (int y = top; y < top + height; ++y)
+        for (int x = left; x < left + width; ++x) {
+            const Colour colour = stored_pixel(picture, x, y);
+            for (const float part : {colour.r, colour.g, colour.b})
+                result.colours.push_back(std::uint8_t(std::lround(255 * part)));
+            const auto at = std::size_t(y) * picture.width + x;
+            const float depth = depths.depth[at];
+            const auto z = depths.imaged[at] > 0 && std::isfinite(depth)
+                               ? preimage_depth(relief, depth)
+                               : std::nullopt;
+            const double distance = z ? (scene_distance(frame) + *z) * unit : 0;
+            result.nearness.push_back(distance > 0 ? float(1 / distance) : 0);
+        }
+    return result;
+}
+
 Probe read_probe(const ProbeRequest& request, const ScratchFolder& scratch)
 {
     DepthFrame depths = read_depths(depth_path(scratch));
@@ -134,13 +133,12 @@ Probe read_probe(const ProbeRequest& request, const ScratchFolder& scratch)
     probe.width = request.width;
     probe.height = height_of(request);
     const int columns = request.grid.columns, rows = request.grid.rows;
-    if (!depths.metadata.placement || !depths.metadata.quilt || picture.channels < 3 ||
+    if (!depths.metadata.placement || !depths.metadata.quilt || !depths.metadata.quilt->eyes ||
         picture.width != probe.width * columns || picture.height != probe.height * rows ||
         depths.depth.size() != std::size_t(picture.width) * picture.height)
         throw InputError("the scene's camera gives no views for the studio");
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column)
-            probe.views.push_back(view_of(depths, picture, request, column, row));
+    for (int view = 0; view < request.grid.count(); ++view)
+        probe.views.push_back(probe_view(picture, depths, view));
     std::swap(probe.views.front(), probe.views[std::size_t(rows / 2 * columns + columns / 2)]);
     probe.sheet_distance = depths.metadata.placement->sheet_distance;
     probe.depths.metadata = depths.metadata;
@@ -162,23 +160,20 @@ std::string probe_bytes(const Probe& probe)
                  {"eyes", Json::array()}};
     for (const ProbeView& view : probe.views)
         head["eyes"].push_back(list(view.eye));
-    std::string bytes = head.dump();
-    const auto pad = [&](char with, std::size_t more) {
-        bytes.append((4 - (bytes.size() + more) % 4) % 4, with);
-    };
-    pad(' ', 1);
-    bytes += '\n';
+    std::string bytes = padded_line(head.dump());
     for (const ProbeView& view : probe.views) {
-        for (int y = 0; y < probe.height; ++y) {
-            const unsigned char* row = row_bytes(view.colour, y);
-            for (int x = 0; x < probe.width; ++x, row += view.colour.channels)
-                bytes.append(reinterpret_cast<const char*>(row), 3);
-        }
-        pad('\0', 0);
+        bytes.append(reinterpret_cast<const char*>(view.colours.data()), view.colours.size());
+        bytes.append((4 - bytes.size() % 4) % 4, '\0');
         bytes.append(reinterpret_cast<const char*>(view.nearness.data()),
                      view.nearness.size() * sizeof(float));
     }
     return bytes;
+}
+
+std::string padded_line(std::string json)
+{
+    json.append(3 - json.size() % 4, ' ');
+    return json + '\n';
 }
 
 } // namespace integral

@@ -24,8 +24,8 @@ struct ProbeRequest {
 
 /// The perspective picture from one eye, whose window is the sheet at Probe::sheet_distance.
 struct ProbeView {
-    Vec2 eye;                    ///< relative to the scene's eye, to the right and up, scene units
-    Image colour;                ///< 8-bit sRGB, three channels
+    Vec2 eye; ///< relative to the scene's eye, to the right and up, scene units
+    std::vector<std::uint8_t> colours; ///< sRGB: red, green and blue of each pixel
     std::vector<float> nearness; ///< 1 / distance of the surface from the eye's plane, scene units;
                                  ///< 0: no surface
 };
@@ -53,6 +53,10 @@ std::vector<std::string> probe_words(const std::string& scene,
                                      const std::vector<std::string>& options,
                                      const ProbeRequest& request, const ScratchFolder& scratch);
 
+/// A view of a quilt. `depths`: the quilt's depth frame, as large as `picture`. Its metadata
+/// contain the placement and the quilt record with eyes.
+ProbeView probe_view(const Image& picture, const DepthFrame& depths, int view);
+
 /// Reads the finished pictures. Throws InputError.
 Probe read_probe(const ProbeRequest& request, const ScratchFolder& scratch);
 
@@ -61,6 +65,9 @@ Probe read_probe(const ProbeRequest& request, const ScratchFolder& scratch);
 /// have this machine's byte order, which is the browser's on the same machine. Spaces at the end of
 /// the line make its length a multiple of four, and so does padding after the colours.
 std::string probe_bytes(const Probe& probe);
+
+/// A JSON document on one line, padded with spaces so that the line's length is a multiple of four.
+std::string padded_line(std::string json);
 
 } // namespace integral
 

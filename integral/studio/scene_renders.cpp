@@ -7,10 +7,10 @@
 #include "integral/batch/scene_look.h"
 #include "integral/io/image_file.h"
 #include "integral/replay/draft_frame.h"
+#include "integral/studio/file_stamp.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace integral {
 namespace {
@@ -18,17 +18,6 @@ namespace {
 constexpr int first_width = 320;                                    // of a probe's view, pixels
 constexpr auto time_between_looks = std::chrono::milliseconds(500); // at the scene's files
 constexpr auto time_without_listeners = std::chrono::seconds(10);   // ends a render
-
-/// Size and time of a file: equal stamps mean that it was not written in between.
-std::string stamp_of(const std::string& path)
-{
-    std::error_code error;
-    const auto size = std::filesystem::file_size(path, error);
-    if (error)
-        return "";
-    const auto time = std::filesystem::last_write_time(path, error);
-    return std::to_string(size) + "@" + std::to_string(time.time_since_epoch().count());
-}
 
 /// The value of an option that is a whole number > 0, such as +W; 0: not given.
 int size_option(const std::vector<std::string>& words, const char* keyword, const char* letter)
@@ -244,15 +233,14 @@ void SceneRenders::watch_files()
     watched_ = Clock::now();
     if (is_watching_ &&
         std::all_of(files_.begin(), files_.end(),
-                    [](const auto& file) { return stamp_of(file.first) == file.second; }) &&
+                    [](const auto& file) { return file_stamp(file.first) == file.second; }) &&
         !files_.empty())
         return;
     decltype(files_) files;
     try {
-        std::vector<std::string> words = scene_words(scene_);
-        words.insert(words.end(), options_.begin(), options_.end());
-        for (const SceneFile& file : files_of_scene(scene_, {".", words, ""}))
-            files.emplace_back(file.path, stamp_of(file.path));
+        for (const SceneFile& file :
+             files_of_scene(scene_, {".", scene_words(scene_, options_), ""}))
+            files.emplace_back(file.path, file_stamp(file.path));
     } catch (const std::exception&) {
         files.clear(); // the scene is not here, but where povray-integral finds it; or is missing
     }
@@ -327,8 +315,7 @@ void SceneRenders::begin_print(const PrintRequest& request)
 std::vector<std::string> SceneRenders::words_for(const PlacementSettings& settings,
                                                  const FrameMetadata& frame) const
 {
-    std::vector<std::string> words = scene_words(scene_);
-    words.insert(words.end(), options_.begin(), options_.end());
+    std::vector<std::string> words = scene_words(scene_, options_);
     for (const char* word : {"-P", "+FN8", "Integral_Fit=off", "Integral_Quilt="})
         words.push_back(word);
     words.push_back("+W" + std::to_string(frame.film.width));

@@ -5,6 +5,7 @@
 #include "integral/base/json.h"
 #include "integral/batch/renderer_options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -26,12 +27,9 @@ std::optional<int> number_after(const std::string& start, const std::string& pat
 
 std::string exact_bytes(const ExactDraft& exact)
 {
-    std::string bytes = to_json(*exact.frame.metadata);
-    for (char& letter : bytes) // the document is one line here
-        if (letter == '\n')
-            letter = ' ';
-    bytes.append(3 - bytes.size() % 4, ' ');
-    bytes += '\n';
+    std::string document = to_json(*exact.frame.metadata);
+    std::replace(document.begin(), document.end(), '\n', ' ');
+    std::string bytes = padded_line(std::move(document));
     const Image& image = exact.frame.image;
     if (image.channels != 3 && image.channels != 4)
         throw std::runtime_error("the scene's picture has no colours; leave Grayscale_Output out");
@@ -119,7 +117,7 @@ std::optional<ServerAnswer> Studio::post(const ServerRequest& request)
     return json_answer("{}");
 }
 
-/// Reads settings of which a frame can be made.
+/// Reads settings, and checks that they make a frame. Throws std::invalid_argument.
 PlacementSettings Studio::possible_settings(const std::string& text) const
 {
     const PlacementSettings settings = settings_from_json(text);

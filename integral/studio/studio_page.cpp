@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/studio/studio.h"
 
-#include "build/generated/replay_page_text.h"
-#include "build/generated/studio_page_text.h"
+#include "build/generated/page_texts.h"
 #include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/frame/geometry_json.h"
