@@ -15,7 +15,7 @@ namespace integral {
 
 /// How a probe is to be rendered.
 struct ProbeRequest {
-    int width = 320;     ///< of a view, pixels
+    int width = 160;     ///< of a view, pixels
     double aspect = 1;   ///< width / height of the print
     ViewGrid grid{1, 1}; ///< odd numbers, so that one view is the scene's own eye's
     Vec2 zone; ///< extent of the eyes' places, as a part of the sheet's width; > 0 with more than

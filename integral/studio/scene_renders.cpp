@@ -15,7 +15,7 @@
 namespace integral {
 namespace {
 
-constexpr int first_width = 320;                                    // of a probe's view, pixels
+constexpr int first_width = 160, middle_width = 320;                // of a probe's view, pixels
 constexpr auto time_between_looks = std::chrono::milliseconds(500); // at the scene's files
 constexpr auto time_without_listeners = std::chrono::seconds(10);   // ends a render
 
@@ -73,6 +73,9 @@ void SceneRenders::change()
     ++changes_;
     changed_.notify_all();
 }
+
+/// Whether live pictures can serve while an exact draft is rendered. Call it with mutex_ locked.
+bool SceneRenders::has_good_probe() const { return probe_ && probe_->width >= middle_width; }
 
 void SceneRenders::request_exact(int number, const PlacementSettings& settings)
 {
@@ -186,10 +189,10 @@ void SceneRenders::work()
         }
         if (!problem_.empty() || listeners_ == 0)
             return;
-        // The first probe shows something at once; later ones wait until the exact draft is there.
+        // The first two probes show something at once; others wait until the exact draft is there.
         if (next_print_ && probe_)
             print.swap(next_print_);
-        else if (next_probe_ && (!probe_ || !next_exact_))
+        else if (next_probe_ && (!has_good_probe() || !next_exact_))
             probe.swap(next_probe_);
         else
             exact.swap(next_exact_);
@@ -221,7 +224,7 @@ bool SceneRenders::is_abandoned()
     }
     if (!job_->probe)
         return unheard || job_->exact.number != requested_exact_;
-    const bool is_put_off = unheard || (probe_ && next_exact_);
+    const bool is_put_off = unheard || (has_good_probe() && next_exact_);
     if (is_put_off && !next_probe_)
         next_probe_ = job_->probe;
     return is_put_off;
@@ -378,6 +381,10 @@ void SceneRenders::finish(const Job& job)
             probe->depths.eye_distances = probe_->depths.eye_distances;
         probe_ = std::move(probe);
         ++probe_number_;
+        if (!has_good_probe()) {
+            next_probe_ = job.probe;
+            next_probe_->width = middle_width;
+        }
         change();
         return;
     }
