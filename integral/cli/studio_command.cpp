@@ -12,7 +12,7 @@ namespace {
 
 struct StudioOptions : CommonOptions {
     SheetOptions sheet;
-    std::optional<std::string> start, dpi, print, distance;
+    std::optional<std::string> start, panel, dpi, print, distance;
     std::optional<int> port;
     bool no_browser = false;
 };
@@ -21,6 +21,8 @@ void declare(options::options_description& all, StudioOptions& o)
 {
     declare(all, o.sheet);
     declare_start_geometry(all, o.start);
+    add(all, "panel", o.panel, "NAME|FILE.json",
+        "a panel, as integral lcd has it, in place of a sheet and a printer");
     add(all, "dpi", o.dpi, "D", "of the printer (default 720)");
     add(all, "print", o.print, "WxH",
         "size of the picture in mm (default: 150 on the longer side, of the scene's shape)");
@@ -33,6 +35,18 @@ void declare(options::options_description& all, StudioOptions& o)
 PlacementSettings settings_of(const StudioOptions& o)
 {
     PlacementSettings settings = first_settings();
+    if (o.panel) {
+        const char* const reason = "does not go with --panel";
+        if (const char* const given = first_given(o.sheet))
+            throw UsageError(std::string("--") + given + " " + reason);
+        throw_if_given(
+            {{"sheet", o.start}, {"dpi", o.dpi}, {"print", o.print}, {"distance", o.distance}},
+            reason);
+        settings.panel = usage_checked("--panel " + *o.panel + ": ",
+                                       [&] { return find_panel(*o.panel); });
+        settings.panel->name = *o.panel;
+        return settings;
+    }
     if (o.start) {
         const FrameMetadata start = read_metadata(*o.start);
         settings.sheet = start.sheet;
@@ -52,6 +66,13 @@ PlacementSettings settings_of(const StudioOptions& o)
     return settings;
 }
 
+/// Width / height of the print or panel; empty: as the scene's picture.
+std::optional<double> aspect_of(const PlacementSettings& settings)
+{
+    const Vec2 size = settings.panel ? size_of(settings.panel->film) : settings.print;
+    return size.x > 0 ? std::optional(size.x / size.y) : std::nullopt;
+}
+
 int run(const StudioOptions& o)
 {
     const std::string& scene = o.inputs.front();
@@ -59,8 +80,7 @@ int run(const StudioOptions& o)
         throw UsageError(scene + ": not a scene; give a .pov or .ini file");
     const std::vector<std::string> words(o.inputs.begin() + 1, o.inputs.end());
     const PlacementSettings first = settings_of(o);
-    SceneRenders renders(scene, words,
-                         o.print ? std::optional(first.print.x / first.print.y) : std::nullopt);
+    SceneRenders renders(scene, words, aspect_of(first));
     Studio studio(scene, first, renders);
     Server server(o.port ? in_range("port", *o.port, 1, 65535) : 0,
                   [&](const ServerRequest& request) { return studio.answer(request); });
@@ -82,16 +102,16 @@ int run(const StudioOptions& o)
 const Command studio_command = {
     "studio",
     "a page on which a scene is placed on a sheet by dragging, live",
-    "SCENE [+W +H ...] [--lpi N | --sheet FILE.json] [--dpi D] [--print WxH] [--distance MM]",
+    "SCENE [+W +H ...] [--panel NAME | --lpi N ...] [--dpi D] [--print WxH] [--distance MM]",
     R"(Opens a page in a browser on this machine and prints its address. The page shows
 the scene through a lens sheet: drag the sheet through the scene, change the parallax,
-choose sheet, print size, printer and viewing distance, move the eye, and see what is
+choose sheet, print size, printer and viewing distance, or a panel, move the eye, and see what is
 sharp, soft and beyond the depth budget. While nothing moves, povray-integral renders a
 draft of the print, and the page shows what an eye sees of it. Save writes a settings
 file that povray-integral renders.
 
-The options describe the sheet, printer and print to begin with (without them 60 lenses
-per inch); the page's list has the known sheets besides. Words after the scene are for
+The options describe the sheet, printer and print, or the panel, to begin with (without
+them 60 lenses per inch); the page's list has the known sheets and panels besides. Words after the scene are for
 povray-integral, as +W900 +H600, which set the picture's shape. The page notices when
 the scene's files change. Only this machine can reach the page. Ctrl+C ends the command.
 )",

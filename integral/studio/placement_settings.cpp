@@ -35,6 +35,23 @@ int pixels_of(double mm, double pitch)
     return int(pixels);
 }
 
+/// The frame of a print without its placement.
+FrameMetadata print_of(const PlacementSettings& settings)
+{
+    FrameMetadata frame;
+    frame.sheet = settings.sheet;
+    const double pitch = mm_per_inch / settings.dpi;
+    frame.film = {
+        pixels_of(settings.print.x, pitch), pixels_of(settings.print.y, pitch), {pitch, pitch}};
+    check_ranges(frame.sheet, frame.film);
+    const auto aperture = filling_aperture(frame.sheet, settings.viewing_distance);
+    if (!aperture)
+        throw_field_error("sheet", "has lenses that no aperture, however wide, fills; take a "
+                                   "thicker sheet");
+    frame.aperture = *aperture;
+    return frame;
+}
+
 /// The placement of a sheet at another distance from the same eye. `scale`: the new scene units per
 /// mm divided by the old ones.
 Placement moved_to(const Placement& old, double sheet_distance, double scale)
@@ -95,9 +112,11 @@ PlacementSettings settings_from_json(const std::string& text)
     if (!document.is_object())
         throw std::invalid_argument("the settings must be an object");
     const JsonObject object{document, ""};
-    throw_on_unknown_fields(object, {"sheet", "dpi", "print_mm", "viewing_distance_mm",
+    throw_on_unknown_fields(object, {"panel", "sheet", "dpi", "print_mm", "viewing_distance_mm",
                                      "sheet_distance", "parallax", "budgets"});
     PlacementSettings settings;
+    if (object.has("panel") && !object.at("panel").is_null())
+        settings.panel = panel_from_json(object.at("panel").dump());
     settings.sheet = sheet_from(object_at(object, "sheet"));
     settings.dpi = number_at(object, "dpi", 1, 1e6);
     settings.print = vec2_at(object, "print_mm", least_length, largest_length);
@@ -114,7 +133,8 @@ Json json_of(const PlacementSettings& settings)
     const auto number_or_null = [](const std::optional<double>& number) {
         return number ? Json(*number) : Json();
     };
-    return {{"sheet", json_of(settings.sheet)},
+    return {{"panel", settings.panel ? parse_json(to_json(*settings.panel)) : Json()},
+            {"sheet", json_of(settings.sheet)},
             {"dpi", settings.dpi},
             {"print_mm", list(settings.print)},
             {"viewing_distance_mm", settings.viewing_distance},
@@ -125,17 +145,7 @@ Json json_of(const PlacementSettings& settings)
 
 FrameMetadata frame_of_settings(const PlacementSettings& settings, const DepthFrame* probe)
 {
-    FrameMetadata frame;
-    frame.sheet = settings.sheet;
-    const double pitch = mm_per_inch / settings.dpi;
-    frame.film = {
-        pixels_of(settings.print.x, pitch), pixels_of(settings.print.y, pitch), {pitch, pitch}};
-    check_ranges(frame.sheet, frame.film);
-    const auto aperture = filling_aperture(frame.sheet, settings.viewing_distance);
-    if (!aperture)
-        throw_field_error("sheet", "has lenses that no aperture, however wide, fills; take a "
-                                   "thicker sheet");
-    frame.aperture = *aperture;
+    FrameMetadata frame = settings.panel ? frame_geometry(*settings.panel) : print_of(settings);
     if (!probe || !probe->metadata.placement)
         return frame;
 
@@ -147,7 +157,7 @@ FrameMetadata frame_of_settings(const PlacementSettings& settings, const DepthFr
     const auto ends = depth_ends({probe->eye_distances.begin(), probe->eye_distances.end()});
     const auto budget = depth_budget(frame.sheet, counted(frame).pixel);
     if (!(settings.sheet_distance && settings.parallax) && ends && budget)
-        fit = fit_to_budget(*ends, {settings.budgets * *budget / settings.viewing_distance,
+        fit = fit_to_budget(*ends, {settings.budgets * *budget / frame.aperture.distance,
                                     settings.sheet_distance, settings.parallax});
     frame.parallax = Parallax{fit.parallax, eye_distance};
     frame.placement = moved_to(*scene.placement, fit.sheet_distance,
@@ -158,8 +168,9 @@ FrameMetadata frame_of_settings(const PlacementSettings& settings, const DepthFr
 std::string words_of_settings(const PlacementSettings& settings, const FrameMetadata& frame)
 {
     const auto number = [](double value) { return Json(value).dump(); };
-    std::string words = camera_words(frame) + " print_size <" + number(settings.print.x) + ", " +
-                        number(settings.print.y) + ">";
+    std::string words = camera_words(frame);
+    if (!settings.panel)
+        words += " print_size <" + number(settings.print.x) + ", " + number(settings.print.y) + ">";
     if (frame.placement)
         words += " sheet_distance " + number(frame.placement->sheet_distance) + " parallax " +
                  number(frame.parallax->factor);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The settings that the studio's page changes: a sheet, a print, a viewer, and where the sheet
-// stands in the scene; and the figures that follow from them.
+// The settings that the studio's page changes: a sheet, a print and its viewer, or a panel, and
+// where the sheet stands in the scene; and the figures that follow from them.
 #ifndef INTEGRAL_STUDIO_PLACEMENT_SETTINGS_H
 #define INTEGRAL_STUDIO_PLACEMENT_SETTINGS_H
 
 #include "integral/frame/depth_range.h"
+#include "integral/panel/panel.h"
 #include "integral/sheet/scene_fit.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,6 +17,7 @@ namespace integral {
 
 /// Lengths in mm, unless stated otherwise.
 struct PlacementSettings {
+    std::optional<Panel> panel; ///< in place of the next four; its name is --panel's argument
     LensSheet sheet;
     double dpi = 720; ///< of the printer
     Vec2 print;       ///< width and height of the picture, > 0
@@ -23,8 +25,9 @@ struct PlacementSettings {
     std::optional<double> sheet_distance; ///< scene units from the scene's eye; empty: fitted
     std::optional<double> parallax;       ///< empty: fitted
     double budgets = 2; ///< for the fit: depth budgets on either side of the sheet, > 0
-}; /// Settings to begin with: a lenticular sheet of 60 lenses per inch at 720 dpi, fitted. The
-   /// print
+};
+
+/// Settings to begin with: a lenticular sheet of 60 lenses per inch at 720 dpi, fitted. The print
 /// has no size yet.
 PlacementSettings first_settings();
 
@@ -32,14 +35,15 @@ PlacementSettings first_settings();
 Vec2 print_of_aspect(double aspect);
 
 /// Reads a JSON object with the fields sheet (as in a frame's document), dpi, print_mm,
-/// viewing_distance_mm, budgets and, optional or null, sheet_distance and parallax. Throws
-/// std::invalid_argument, "FIELD what is wrong with it".
+/// viewing_distance_mm, budgets and, optional or null, panel (as panel_from_json reads it),
+/// sheet_distance and parallax. Throws std::invalid_argument, "FIELD what is wrong with it".
 PlacementSettings settings_from_json(const std::string& text);
 nlohmann::ordered_json json_of(const PlacementSettings& settings);
 
-/// The print's frame for these settings. `probe`: depths of the scene with its placement; gives the
-/// scene's camera, and its distances for the fit. Without it, or without a placement in it, the
-/// geometry has no placement. Throws std::invalid_argument if a number is out of range.
+/// The print's or panel's frame for these settings. `probe`: depths of the scene with its
+/// placement; gives the scene's camera, and its distances for the fit. Without it, or without a
+/// placement in it, the geometry has no placement. Throws std::invalid_argument if a number is out
+/// of range.
 FrameMetadata frame_of_settings(const PlacementSettings& settings, const DepthFrame* probe);
 
 /// The words of Integral_Camera= for that frame.

@@ -19,6 +19,17 @@ constexpr int first_width = 160, middle_width = 320;                // of a prob
 constexpr auto time_between_looks = std::chrono::milliseconds(500); // at the scene's files
 constexpr auto time_without_listeners = std::chrono::seconds(10);   // ends a render
 
+/// Whether two shapes, width / height, differ visibly.
+bool are_different(double aspect, double other) { return std::fabs(aspect / other - 1) > 0.01; }
+
+ProbeRequest first_probe(double aspect)
+{
+    ProbeRequest request;
+    request.width = first_width;
+    request.aspect = aspect;
+    return request;
+}
+
 /// The value of an option that is a whole number > 0, such as +W; 0: not given.
 int size_option(const std::vector<std::string>& words, const char* keyword, const char* letter)
 {
@@ -47,10 +58,9 @@ SceneRenders::SceneRenders(const std::string& scene, const std::vector<std::stri
     scene_words(scene); // throws for a name that cannot work
     const int width = size_option(options, "width", "w"),
               height = size_option(options, "height", "h");
-    ProbeRequest first;
-    first.width = first_width;
-    first.aspect = aspect ? *aspect : width > 0 && height > 0 ? double(width) / height : 4.0 / 3;
-    next_probe_ = first;
+    next_probe_ = first_probe(aspect                    ? *aspect
+                              : width > 0 && height > 0 ? double(width) / height
+                                                        : 4.0 / 3);
 }
 
 SceneRenders::~SceneRenders() = default;
@@ -74,8 +84,13 @@ void SceneRenders::change()
     changed_.notify_all();
 }
 
-/// Whether live pictures can serve while an exact draft is rendered. Call it with mutex_ locked.
-bool SceneRenders::has_good_probe() const { return probe_ && probe_->width >= middle_width; }
+/// Whether live pictures need the requested probe before an exact draft is rendered. Call it with
+/// mutex_ locked.
+bool SceneRenders::is_urgent(const ProbeRequest& request) const
+{
+    return !probe_ || probe_->width < middle_width ||
+           are_different(probe_->request.aspect, request.aspect);
+}
 
 void SceneRenders::request_exact(int number, const PlacementSettings& settings)
 {
@@ -189,10 +204,9 @@ void SceneRenders::work()
         }
         if (!problem_.empty() || listeners_ == 0)
             return;
-        // The first two probes show something at once; others wait until the exact draft is there.
         if (next_print_ && probe_)
             print.swap(next_print_);
-        else if (next_probe_ && (!has_good_probe() || !next_exact_))
+        else if (next_probe_ && (is_urgent(*next_probe_) || !next_exact_))
             probe.swap(next_probe_);
         else
             exact.swap(next_exact_);
@@ -224,7 +238,7 @@ bool SceneRenders::is_abandoned()
     }
     if (!job_->probe)
         return unheard || job_->exact.number != requested_exact_;
-    const bool is_put_off = unheard || (has_good_probe() && next_exact_);
+    const bool is_put_off = unheard || (next_exact_ && !is_urgent(*job_->probe));
     if (is_put_off && !next_probe_)
         next_probe_ = job_->probe;
     return is_put_off;
@@ -258,12 +272,9 @@ void SceneRenders::watch_files()
     if (job_ && job_->print && !next_print_)
         next_print_ = job_->print;
     job_.reset();
-    ProbeRequest again;
-    again.width = first_width;
-    again.aspect = probe_        ? double(probe_->width) / probe_->height
-                   : next_probe_ ? next_probe_->aspect
-                                 : 4.0 / 3;
-    next_probe_ = again;
+    next_probe_ = first_probe(probe_        ? double(probe_->width) / probe_->height
+                              : next_probe_ ? next_probe_->aspect
+                                            : 4.0 / 3);
     probe_.reset();
     exact_.reset();
     next_exact_.reset();
@@ -288,6 +299,13 @@ void SceneRenders::begin_exact(const ExactRequest& request)
     {
         const ProbeRequest required = probe_for(frame, current->sheet_distance);
         const std::lock_guard lock(mutex_);
+        if (are_different(current->request.aspect, required.aspect)) {
+            // The live picture has nothing to show in places that no probe contains.
+            next_probe_ = first_probe(required.aspect);
+            if (!next_exact_ && requested_exact_ == request.number)
+                next_exact_ = request;
+            return;
+        }
         if (!serves(current->request, required))
             next_probe_ = required;
     }
@@ -377,11 +395,11 @@ void SceneRenders::finish(const Job& job)
         auto probe = std::make_shared<Probe>(read_probe(*job.probe, job.scratch));
         const std::lock_guard lock(mutex_);
         // The fit must not change with the probe's number of views or pixels.
-        if (probe_ && std::fabs(probe_->request.aspect / job.probe->aspect - 1) < 0.01)
+        if (probe_ && !are_different(probe_->request.aspect, job.probe->aspect))
             probe->depths.eye_distances = probe_->depths.eye_distances;
         probe_ = std::move(probe);
         ++probe_number_;
-        if (!has_good_probe()) {
+        if (probe_->width < middle_width) {
             next_probe_ = job.probe;
             next_probe_->width = middle_width;
         }

@@ -22,8 +22,9 @@ struct ExactDraft {
     Frame frame; ///< with the print's pixels (with_final_pixels), 8-bit sRGB with alpha
 };
 
-/// Renders in the background, one picture at a time: two small probes first, then exact drafts as
-/// soon as they are requested, and a probe with side views while nothing else is to be done. The print
+/// Renders in the background, one picture at a time: two small probes first (again when the
+/// picture's shape changes), then exact drafts as soon as they are requested, and a probe with side
+/// views while nothing else is to be done. The print
 /// itself waits for the picture under way, and other pictures wait for the print. A change of the
 /// scene's files starts this anew. Nothing is rendered while no page listens.
 class SceneRenders {
@@ -97,7 +98,7 @@ private:
     };
 
     void change();
-    bool has_good_probe() const;
+    bool is_urgent(const ProbeRequest& request) const;
     void watch_files();
     bool is_abandoned();
     void begin_probe(const ProbeRequest& request);

@@ -60,10 +60,11 @@ std::string stem_of(const std::string& scene)
     return std::filesystem::path(without_section(scene)).stem().string();
 }
 
-/// The name of a file about the scene's print, for the working folder.
-std::string print_name(const std::string& scene, const char* extension)
+/// The name of a file about the scene's print or panel, for the working folder.
+std::string print_name(const std::string& scene, const PlacementSettings& settings,
+                       const char* extension)
 {
-    return stem_of(scene) + "-on-sheet" + extension;
+    return stem_of(scene) + (settings.panel ? "-on-panel" : "-on-sheet") + extension;
 }
 
 } // namespace
@@ -82,7 +83,7 @@ std::optional<ServerAnswer> Studio::answer(const ServerRequest& request)
             return ServerAnswer{400, error.what(), "text/plain; charset=utf-8"};
         }
     if (request.path == "/")
-        return ServerAnswer{200, studio_page(stem_of(scene_), first_.sheet, request)};
+        return ServerAnswer{200, studio_page(stem_of(scene_), first_, request)};
     if (request.path == "/events") {
         ServerAnswer events;
         const auto listener = std::make_shared<SceneRenders::Listener>(renders_);
@@ -104,9 +105,10 @@ std::optional<ServerAnswer> Studio::post(const ServerRequest& request)
         return json_answer(figures(request.body));
     if (request.path == "/save")
         return json_answer(save(settings_from_json(request.body)));
-    if (request.path == "/print")
-        renders_.request_print(possible_settings(request.body), print_name(scene_, ".png"));
-    else if (request.path == "/stop-print")
+    if (request.path == "/print") {
+        const PlacementSettings settings = possible_settings(request.body);
+        renders_.request_print(settings, print_name(scene_, settings, ".png"));
+    } else if (request.path == "/stop-print")
         renders_.stop_print();
     else if (const auto to_stop = number_after("/stop/", request.path))
         renders_.stop_exact(*to_stop);
@@ -131,7 +133,7 @@ std::string Studio::figures(const std::string& text) const
     const std::shared_ptr<const Probe> probe = renders_.probe();
     const DepthFrame* const depths = probe ? &probe->depths : nullptr;
     PlacementSettings settings = text.empty() ? first_ : settings_from_json(text);
-    if (!(settings.print.x > 0))
+    if (!(settings.print.x > 0)) // not given
         settings.print = print_of_aspect(probe ? double(probe->width) / probe->height : 4.0 / 3);
     Json figures = settings_figures(settings, depths);
     figures["settings"] = json_of(settings);
@@ -146,13 +148,18 @@ std::string Studio::save(const PlacementSettings& settings) const
         throw std::invalid_argument("the scene has no probe yet; save again when its picture is "
                                     "shown");
     const FrameMetadata frame = frame_of_settings(settings, &probe->depths);
-    const std::string name = print_name(scene_, ".ini"), command = "povray-integral " + name;
+    const std::string name = print_name(scene_, settings, ".ini"),
+                      picture = print_name(scene_, settings, ".png"),
+                      command = "povray-integral " + name + " +A0.3";
     std::string text = "; " + stem_of(scene_) + ", placed on a sheet by integral studio.\n; " +
-                       command + " +A0.3\n";
+                       command + "\n";
+    if (settings.panel)
+        text += "; integral lcd " + picture + " --panel " + settings.panel->name + " --show auto\n";
     for (const std::string& word : renders_.words_for(settings, frame))
         text += word + "\n";
+    text += "+O" + quoted(picture) + "\n";
     write_file(name, text);
-    return Json{{"file", name}, {"command", command + " +A0.3"}, {"text", text}}.dump();
+    return Json{{"file", name}, {"command", command}}.dump();
 }
 
 } // namespace integral

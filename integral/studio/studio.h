@@ -22,6 +22,7 @@ namespace integral {
 ///   ends that work.
 /// - POST "/save" with settings: writes an INI file into the working folder; answers with `file`
 ///   and `command`, which renders it.
+/// Files for a panel are named SCENE-on-panel, others SCENE-on-sheet.
 /// Settings that cannot work are answered by status 400 and a sentence. No path names a file.
 class Studio {
 public:
@@ -43,9 +44,9 @@ private:
     SceneRenders& renders_;
 };
 
-/// The studio's page for a scene of that name. `sheet`: the first one, for the list of sheets if it
-/// is none of the known ones.
-std::string studio_page(const std::string& scene, const LensSheet& sheet,
+/// The studio's page for a scene of that name. `first`: the first settings, whose sheet or panel is
+/// in the page's list even if it is none of the known ones.
+std::string studio_page(const std::string& scene, const PlacementSettings& first,
                         const ServerRequest& request);
 
 } // namespace integral

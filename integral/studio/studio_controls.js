@@ -83,7 +83,7 @@ function show_problem() {
 
 function show_badge() {
   const percent = ` ${Math.round(100 * scene.progress)} %`;
-  const working = scene.work === "print" ? ", rendering the print" + percent : scene.work === "exact" ? ", rendering the exact draft" + percent : scene.work === "probe" ? ", looking at the scene" + percent : "";
+  const working = scene.work === "print" ? `, rendering the ${product()}` + percent : scene.work === "exact" ? ", rendering the exact draft" + percent : scene.work === "probe" ? ", looking at the scene" + percent : "";
   const badge = element("badge");
   badge.classList.toggle("exact", is_exact());
   badge.textContent = !live ? "No picture" : !probe ? "Looking at the scene" + (scene.work ? percent : " ...")
@@ -91,11 +91,17 @@ function show_badge() {
     : "Live" + working;
 }
 
-function show_print() {
-  element("print").textContent = scene.printing ? "Stop rendering the print" : "Render the print";
+// What is made, in words.
+function product() { return state.sheet?.panel ? "panel's image" : "print"; }
+
+function show_print_button() {
+  element("print").textContent = (scene.printing ? "Stop rendering the " : "Render the ") + product();
   element("print").setAttribute("aria-pressed", String(Boolean(scene.printing)));
-  if (scene.print)
-    element("saved").textContent = `${scene.print} is there. See it: integral replay ${scene.print} -o view.png. Make a page of it: integral print ${scene.print} -o page.pdf`;
+}
+
+function say_printed() {
+  element("saved").textContent = `${scene.print} is there. See it: integral replay ${scene.print} -o view.png. ` +
+    (state.sheet?.panel ? `Show it on the panel: integral lcd ${scene.print} --panel ${state.sheet.name} --show auto` : `Make a page of it: integral print ${scene.print} -o page.pdf`);
 }
 
 function show_eye() {
@@ -117,15 +123,18 @@ function show() {
   if (!figures || !state.sheet)
     return;
   const put = placement_or_null();
+  const { film } = figures.geometry, { width, height, distance } = shape();
   set_control("sheet", state.sheet.name);
-  set_control("dpi", state.dpi);
-  set_control("width", figures_of(state.width));
-  set_control("height", figures_of(state.height));
-  set_control("distance", figures_of(state.distance));
-  set_control("distance-slider", Math.log(state.distance), state.distance + " mm");
+  set_control("dpi", figures_of(25.4 / film.pixel_pitch_mm[0], 6));
+  set_control("width", figures_of(width));
+  set_control("height", figures_of(height));
+  set_control("distance", figures_of(distance));
+  set_control("distance-slider", Math.log(distance), figures_of(distance) + " mm");
   element("tint").checked = state.tint;
   for (const control of document.querySelectorAll("aside [disabled]"))
     control.disabled = false;
+  for (const name of ["dpi", "width", "height", "distance", "distance-slider"])
+    element(name).disabled = Boolean(state.sheet.panel);
   if (put) {
     const { sheet_distance: plane, parallax } = put, slider = element("plane-slider");
     slider.min = Math.log(depths.least);
@@ -143,11 +152,11 @@ function show() {
   } else {
     element("share-words").textContent = "This sheet has no depth budget with these pixels.";
   }
-  const { film } = figures.geometry;
   element("print-words").textContent = `${film.width} × ${film.height} pixels, ${figures_of(figures.lenses, 3)} lenses across, ${figures_of(figures.pixels_per_lens, 3)} pixels per lens`;
   element("words").value = figures.words;
   show_eye();
   show_badge();
+  show_print_button();
   draw_depths();
   request_drawing();
 }
@@ -183,8 +192,8 @@ function on_number(id, take) {
 }
 
 function on_controls() {
-  for (const { name, label } of sheets)
-    element("sheet").append(new Option(label, name));
+  for (const { name, label, panel } of sheets)
+    element(panel ? "panels" : "lens-sheets").append(new Option(label, name));
   element("sheet").addEventListener("change", (event) => set_print({ sheet: sheets.find(({ name }) => name === event.target.value) }));
   on_number("dpi", (dpi) => set_print({ dpi }));
   on_number("width", (width) => set_print({ width, height: width * state.height / state.width }));
@@ -221,7 +230,7 @@ function on_controls() {
   element("save").addEventListener("click", async () => {
     try {
       const { file, command } = await post("/save", settings());
-      element("saved").textContent = `${file} is saved. Render the print: ${command}`;
+      element("saved").textContent = `${file} is saved. Render the ${product()}: ${command}`;
     } catch (error) {
       say_problem(error.message);
     }

@@ -25,10 +25,20 @@ std::string label_of(const KnownSheet& known)
 
 bool are_equal(const LensSheet& a, const LensSheet& b) { return json_of(a) == json_of(b); }
 
-/// The sheets for the page's list: `own`, unless it is known, then the known ones, lenticular ones
-/// first, from coarse to fine.
-Json sheet_choices(const LensSheet& own)
+Json choice_of(const Panel& panel)
 {
+    return {{"name", panel.name},
+            {"label", panel.name + ", " + std::to_string(panel.film.width) + " x " +
+                          std::to_string(panel.film.height)},
+            {"sheet", json_of(panel.sheet)},
+            {"panel", parse_json(to_json(panel))}};
+}
+
+/// The page's list: the sheet to begin with, unless it is known, then the known ones, lenticular
+/// ones first, from coarse to fine; then panels in the same way.
+Json choices_with(const PlacementSettings& first)
+{
+    const LensSheet& own = first.sheet;
     std::vector<KnownSheet> sheets = known_sheets();
     std::stable_sort(sheets.begin(), sheets.end(), [](const KnownSheet& a, const KnownSheet& b) {
         return a.sheet.arrangement != b.sheet.arrangement
@@ -44,12 +54,16 @@ Json sheet_choices(const LensSheet& own)
     for (const KnownSheet& known : sheets)
         choices.push_back(
             {{"name", known.name}, {"label", label_of(known)}, {"sheet", json_of(known.sheet)}});
+    if (first.panel && !panel_named(first.panel->name))
+        choices.push_back(choice_of(*first.panel));
+    for (const Panel& panel : known_panels())
+        choices.push_back(choice_of(panel));
     return choices;
 }
 
 } // namespace
 
-std::string studio_page(const std::string& scene, const LensSheet& sheet,
+std::string studio_page(const std::string& scene, const PlacementSettings& first,
                         const ServerRequest& request)
 {
     const std::string title = markup_text(scene);
@@ -57,7 +71,7 @@ std::string studio_page(const std::string& scene, const LensSheet& sheet,
                            {{"TITLE", title},
                             {"STYLE_NONCE", request.nonce},
                             {"TITLE", title},
-                            {"SHEETS", json_within_html(sheet_choices(sheet).dump())},
+                            {"SHEETS", json_within_html(choices_with(first).dump())},
                             {"REPLAY_SHADER", std::string(sheet_optics_glsl) + replay_page_glsl},
                             {"LIVE_SHADER", std::string(sheet_optics_glsl) + live_view_glsl},
                             {"SCRIPT_NONCE", request.nonce},

@@ -3,14 +3,14 @@
 // sheet frame, or in scene units where so named. Continued by studio_controls.js.
 
 const element = (id) => document.getElementById(id);
-const sheets = JSON.parse(element("sheets").textContent); // { name, label, sheet } each
+const sheets = JSON.parse(element("sheets").textContent); // { name, label, sheet, panel (of panels) } each
 const canvas = element("view"), depth_canvas = element("depths");
 const within = (v, least, greatest) => Math.min(greatest, Math.max(least, v));
 const figures_of = (v, digits = 4) => String(Number(v.toPrecision(digits)));
 const base = location.pathname.replace(/\/$/, "");
 const still = 300; // ms without a change, after which the exact draft is requested
 
-// The user's settings. `eye`: x and y as parts of the viewing zone's half width, and the distance as
+// The user's settings. The sheet may be a panel's: then the size, dpi and distance of a print wait. `eye`: x and y as parts of the viewing zone's half width, and the distance as
 // a multiple of the viewing distance. sheet_distance and parallax: null if they are fitted.
 const state = { sheet: null, dpi: 0, width: 0, height: 0, distance: 0, sheet_distance: null, parallax: null, budgets: 2,
                 eye: [0, 0, 1], tint: false };
@@ -22,13 +22,21 @@ let probe = null;
 
 function settings() {
   const { sheet, dpi, width, height, distance, sheet_distance, parallax, budgets } = state;
-  return { sheet: sheet.sheet, dpi, print_mm: [width, height], viewing_distance_mm: distance, sheet_distance, parallax, budgets };
+  return { panel: sheet.panel ?? null, sheet: sheet.sheet, dpi, print_mm: [width, height], viewing_distance_mm: distance, sheet_distance, parallax, budgets };
 }
 
-function use_settings({ sheet, print_mm, dpi, viewing_distance_mm, sheet_distance, parallax, budgets }) {
-  state.sheet = sheets.find((known) => JSON.stringify(known.sheet) === JSON.stringify(sheet));
+function use_settings({ panel, sheet, print_mm, dpi, viewing_distance_mm, sheet_distance, parallax, budgets }) {
+  state.sheet = sheets.find((known) => JSON.stringify(known.panel ?? known.sheet) === JSON.stringify(panel ?? sheet));
   [state.width, state.height] = print_mm;
   Object.assign(state, { dpi, distance: viewing_distance_mm, sheet_distance, parallax, budgets });
+}
+
+// The size of the print or panel, and the distance from which it is seen, mm.
+function shape() {
+  if (!state.sheet.panel)
+    return state;
+  const { geometry } = figures, [width, height] = film_size_of(geometry);
+  return { width, height, distance: geometry.aperture.distance_mm };
 }
 
 // Legal ranges of numbers in controls and in the address's fragment.
@@ -181,7 +189,9 @@ function listen() {
       load_exact(scene);
     show_problem();
     show_badge();
-    show_print();
+    show_print_button();
+    if (before.printing && !scene.printing && scene.print)
+      say_printed();
   };
   events.onerror = () => {
     clearTimeout(lost);
@@ -198,7 +208,7 @@ function zone() {
 
 function eye_mm() {
   const [width, height] = zone();
-  return [0.5 * width * state.eye[0], 0.5 * height * state.eye[1], state.distance * state.eye[2]];
+  return [0.5 * width * state.eye[0], 0.5 * height * state.eye[1], shape().distance * state.eye[2]];
 }
 
 function move_eye(x, y) {
@@ -232,17 +242,17 @@ const coarse = new CoarseMode(request_drawing);
 function is_exact() { return exact.number > 0 && !state.tint; }
 
 function fit_canvas() {
-  const stage = element("stage"), dots = devicePixelRatio || 1;
-  const room = [stage.clientWidth, stage.clientHeight], scale = Math.min(room[0] / state.width, room[1] / state.height);
+  const stage = element("stage"), dots = devicePixelRatio || 1, { width, height } = shape();
+  const room = [stage.clientWidth, stage.clientHeight], scale = Math.min(room[0] / width, room[1] / height);
   const most = gl.getParameter(gl.MAX_TEXTURE_SIZE), finer = dots * live_scale();
-  const size = [state.width, state.height].map((mm) => within(Math.round(mm * scale * finer), 1, most));
+  const size = [width, height].map((mm) => within(Math.round(mm * scale * finer), 1, most));
   const key = [size, exact.number, shape_of(figures.geometry)].join();
   if (key === drawn_size)
     return;
   drawn_size = key;
   [canvas.width, canvas.height] = size;
-  canvas.style.width = state.width * scale + "px";
-  canvas.style.height = state.height * scale + "px";
+  canvas.style.width = width * scale + "px";
+  canvas.style.height = height * scale + "px";
   const film = figures.geometry.film, part = [0, 0, ...film_size_of({ film })];
   live.set_view(size, part, figures.geometry);
   if (exact.number)
