@@ -32,12 +32,9 @@ std::optional<Paper> parse_paper(const PrintOptions& o, const Film& film)
     }
     const std::string text = *o.paper;
     Paper paper = parse_paper_size(text);
-    const bool named = paper_named(text).has_value();
-    const bool wide = film.width * film.pixel_pitch.x > film.height * film.pixel_pitch.y;
-    const bool turn = way == Orientation::automatic
-                          ? named && wide
-                          : (way == Orientation::landscape) != (paper.width > paper.height);
-    if (turn)
+    if (way == Orientation::automatic)
+        return paper_named(text) ? paper_for(paper, film) : paper;
+    if ((way == Orientation::landscape) != (paper.width > paper.height))
         std::swap(paper.width, paper.height);
     return paper;
 }

@@ -105,15 +105,16 @@ const Command studio_command = {
     "SCENE [+W +H ...] [--panel NAME | --lpi N ...] [--dpi D] [--print WxH] [--distance MM]",
     R"(Opens a page in a browser on this machine and prints its address. The page shows
 the scene through a lens sheet: drag the sheet through the scene, change the parallax,
-choose sheet, print size, printer and viewing distance, or a panel, move the eye, and see what is
-sharp, soft and beyond the depth budget. While nothing moves, povray-integral renders a
-draft of the print, and the page shows what an eye sees of it. Save writes a settings
-file that povray-integral renders.
+choose sheet, print size, printer and viewing distance, or a panel, move the eye, and
+see what is sharp, soft and beyond the depth budget. While nothing moves, povray-integral
+renders a draft of the print, and the page shows what an eye sees of it. Save writes a
+settings file that povray-integral renders.
 
 The options describe the sheet, printer and print, or the panel, to begin with (without
-them 60 lenses per inch); the page's list has the known sheets and panels besides. Words after the scene are for
-povray-integral, as +W900 +H600, which set the picture's shape. The page notices when
-the scene's files change. Only this machine can reach the page. Ctrl+C ends the command.
+them 60 lenses per inch); the page's list has the known sheets and panels besides. Words
+after the scene are for povray-integral, as +W900 +H600, which set the picture's shape.
+The page notices when the scene's files change. Only this machine can reach the page.
+Ctrl+C ends the command.
 )",
     1,
     1000,

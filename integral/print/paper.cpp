@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/print/paper.h"
 
-#include "integral/optics/film.h"
-
 #include <cctype>
 
 namespace integral {
@@ -51,6 +49,12 @@ std::optional<Paper> paper_named(const std::string& name)
         if (lower(paper.name) == lower(name))
             return Paper{paper.width * paper.unit, paper.height * paper.unit};
     return std::nullopt;
+}
+
+Paper paper_for(Paper named, const Film& film)
+{
+    const Vec2 size = size_of(film);
+    return size.x > size.y ? Paper{named.height, named.width} : named;
 }
 
 std::string paper_names()

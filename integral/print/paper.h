@@ -3,6 +3,8 @@
 #ifndef INTEGRAL_PRINT_PAPER_H
 #define INTEGRAL_PRINT_PAPER_H
 
+#include "integral/optics/film.h"
+
 #include <optional>
 #include <string>
 
@@ -17,6 +19,9 @@ struct Paper {
 /// inches (4x6), A0 to A6, letter, legal, tabloid, and postcard (100 x 148 mm). Empty for other
 /// names.
 std::optional<Paper> paper_named(const std::string& name);
+
+/// A named sheet as it is fed for a film: upright, or turned if the film is wide.
+Paper paper_for(Paper named, const Film& film);
 
 /// All names, for messages and completion: "3.5x5, 4x6 and A4".
 std::string paper_names();

@@ -131,6 +131,12 @@ void SceneRenders::stop_print()
     change();
 }
 
+std::string SceneRenders::print() const
+{
+    const std::lock_guard lock(mutex_);
+    return print_;
+}
+
 std::string SceneRenders::state() const
 {
     const std::lock_guard lock(mutex_);

@@ -51,6 +51,8 @@ public:
     void request_print(const PlacementSettings& settings, const std::string& file);
     /// Ends the work on the print.
     void stop_print();
+    /// The newest print's file; empty: none yet.
+    std::string print() const;
 
     /// The words of povray-integral's command line for drafts and print, which are also lines of a
     /// settings file.

@@ -4,6 +4,7 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/json.h"
 #include "integral/batch/renderer_options.h"
+#include "integral/print/frame_print.h"
 
 #include <algorithm>
 #include <charconv>
@@ -105,6 +106,8 @@ std::optional<ServerAnswer> Studio::post(const ServerRequest& request)
         return json_answer(figures(request.body));
     if (request.path == "/save")
         return json_answer(save(settings_from_json(request.body)));
+    if (request.path == "/page")
+        return json_answer(page(request.body));
     if (request.path == "/print") {
         const PlacementSettings settings = possible_settings(request.body);
         renders_.request_print(settings, print_name(scene_, settings, ".png"));
@@ -160,6 +163,33 @@ std::string Studio::save(const PlacementSettings& settings) const
     text += "+O" + quoted(picture) + "\n";
     write_file(name, text);
     return Json{{"file", name}, {"command", command}}.dump();
+}
+
+/// Writes the print's page. `paper`: its name, or empty.
+std::string Studio::page(const std::string& paper) const
+{
+    const std::string print = renders_.print();
+    if (print.empty())
+        throw std::invalid_argument("there is no print yet; render the print first");
+    const std::string file = print.substr(0, print.rfind('.')) + ".pdf";
+    FrameReader frame(print);
+    frame.require_metadata();
+    const FrameMetadata& metadata = *frame.frame().metadata;
+    PrintSettings settings;
+    settings.title = print_title(print, metadata);
+    settings.pixel_pitch = metadata.film.pixel_pitch;
+    PageRequest& page = settings.page;
+    page.crop_marks = page.registration_marks = page.axis_marks = true;
+    std::string command = "integral print " + print + " -o " + file + " --marks all";
+    if (!paper.empty()) {
+        const auto named = paper_named(paper);
+        if (!named)
+            throw std::invalid_argument("there is no such paper; take " + paper_names());
+        page.paper = paper_for(*named, metadata.film);
+        command += " --paper " + paper;
+    }
+    FramePrint(frame, settings).write(file);
+    return Json{{"file", file}, {"command", command}}.dump();
 }
 
 } // namespace integral

@@ -22,6 +22,9 @@ namespace integral {
 ///   ends that work.
 /// - POST "/save" with settings: writes an INI file into the working folder; answers with `file`
 ///   and `command`, which renders it.
+/// - POST "/page" with a paper's name (paper_named), or without for a page as large as the picture
+///   and its marks: writes the print's page as PDF into the working folder; answers
+///   with `file` and `command`, which does the same.
 /// Files for a panel are named SCENE-on-panel, others SCENE-on-sheet.
 /// Settings that cannot work are answered by status 400 and a sentence. No path names a file.
 class Studio {
@@ -38,6 +41,7 @@ private:
     PlacementSettings possible_settings(const std::string& text) const;
     std::string figures(const std::string& settings) const;
     std::string save(const PlacementSettings& settings) const;
+    std::string page(const std::string& paper) const;
 
     const std::string scene_;
     const PlacementSettings first_;

@@ -97,11 +97,12 @@ function product() { return state.sheet?.panel ? "panel's image" : "print"; }
 function show_print_button() {
   element("print").textContent = (scene.printing ? "Stop rendering the " : "Render the ") + product();
   element("print").setAttribute("aria-pressed", String(Boolean(scene.printing)));
+  element("page-row").hidden = !scene.print || scene.printing || Boolean(state.sheet?.panel);
 }
 
 function say_printed() {
   element("saved").textContent = `${scene.print} is there. See it: integral replay ${scene.print} -o view.png. ` +
-    (state.sheet?.panel ? `Show it on the panel: integral lcd ${scene.print} --panel ${state.sheet.name} --show auto` : `Make a page of it: integral print ${scene.print} -o page.pdf`);
+    (state.sheet?.panel ? `Show it on the panel: integral lcd ${scene.print} --panel ${state.sheet.name} --show auto` : "Make a page of it, to print at its own size.");
 }
 
 function show_eye() {
@@ -223,6 +224,14 @@ function on_controls() {
     try {
       element("saved").textContent = "";
       await (scene.printing ? post("/stop-print") : post("/print", settings()));
+    } catch (error) {
+      say_problem(error.message);
+    }
+  });
+  element("page").addEventListener("click", async () => {
+    try {
+      const { file, command } = await post("/page", element("paper").value);
+      element("saved").textContent = `${file} is there. Print it at 100 % of its size. The command: ${command}`;
     } catch (error) {
       say_problem(error.message);
     }

@@ -72,8 +72,8 @@ function read_fragment() {
 
 // The server.
 
-async function post(path, body) {
-  const answer = await fetch(base + path, { method: "POST", body: body === undefined ? "" : JSON.stringify(body) });
+async function post(path, body = "") {
+  const answer = await fetch(base + path, { method: "POST", body: typeof body === "object" ? JSON.stringify(body) : body });
   if (!answer.ok)
     throw Error((await answer.text()).trim());
   return answer.json();
