@@ -17,7 +17,7 @@ class Comparison {
   timer = 0;     // of blinking
   second = false; // which is shown while blinking
 
-  // `redraw` draws the page anew; `visit` moves the eye to a place.
+  // `redraw` draws the page anew; `visit` moves the eye to a difference ({ eye, place }) and marks it.
   constructor(start, redraw, visit) {
     this.redraw = redraw;
     this.gain = element("gain");
@@ -28,7 +28,7 @@ class Comparison {
     for (const button of this.buttons)
       button.addEventListener("click", () => this.choose(button.dataset.show));
     const keys = { l: "line", s: "beside", d: "difference", 1: "reference", 2: "result", b: "blink" };
-    const worst = element("worst"), go = () => visit(start.worst.eye);
+    const worst = element("worst"), go = () => visit(start.worst);
     if (start.worst) {
       worst.hidden = false;
       worst.title = start.worst.words;

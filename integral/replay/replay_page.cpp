@@ -141,17 +141,18 @@ std::string replay_page(const Frame& frame, const View& start)
 ComparedPictures compared_pictures(const Frame& reference, const Frame& result,
                                    const Comparison& comparison)
 {
-    ComparedPictures pictures{&reference, &result, "", std::nullopt, ""};
+    ComparedPictures pictures{&reference, &result, "", std::nullopt};
     if (!comparison.seen)
         return pictures;
     const SeenFigures& seen = *comparison.seen;
     const SeenByEye& worst = seen.eyes[seen.worst];
-    pictures.worst_eye = Eye{worst.eye.x, worst.eye.y, worst.eye.z};
-    pictures.worst_words = "Of " + counted(int(seen.eyes.size()), "eye") + " that at " +
-                           eye_text(worst.eye) + " mm sees the greatest difference, RMSE " +
-                           with_digits(worst.figures.rmse, 4) + ", most at " +
-                           with_decimals(seen.place.x, 1) + "," + with_decimals(seen.place.y, 1) +
-                           " mm of the sheet.";
+    pictures.worst = {{worst.eye.x, worst.eye.y, worst.eye.z},
+                      seen.place,
+                      "Of " + counted(int(seen.eyes.size()), "eye") + " that at " +
+                          eye_text(worst.eye) + " mm sees the greatest difference, RMSE " +
+                          with_digits(worst.figures.rmse, 4) + ", most at " +
+                          with_decimals(seen.place.x, 1) + "," + with_decimals(seen.place.y, 1) +
+                          " mm of the sheet."};
     return pictures;
 }
 
@@ -197,11 +198,10 @@ TemplatePieces comparison_pieces(const ComparedPictures& pictures, bool keys_for
         const std::string other = geometry_difference(first->metadata, second->metadata);
         if (!other.empty())
             start["note"] = "The result's geometry differs: " + other + ".";
-        if (pictures.worst_eye)
-            start["worst"] = {
-                {"eye",
-                 {pictures.worst_eye->x, pictures.worst_eye->y, pictures.worst_eye->distance}},
-                {"words", pictures.worst_words}};
+        if (const auto& worst = pictures.worst)
+            start["worst"] = {{"eye", {worst->eye.x, worst->eye.y, worst->eye.distance}},
+                              {"place", {worst->place.x, worst->place.y}},
+                              {"words", worst->words}};
     }
     start["second_blur"] = second_view.blur;
     return pieces_of(

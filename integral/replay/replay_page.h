@@ -29,8 +29,13 @@ std::string page_obstacle(const Frame& frame);
 struct ComparedPictures {
     const Frame *reference = nullptr, *result = nullptr; ///< at least one
     std::string title;                                   ///< empty: the scene's name
-    std::optional<Eye> worst_eye;                        ///< a button moves the eye there
-    std::string worst_words;                             ///< a sentence on the difference there
+    /// The greatest difference: a button moves the eye to `eye` and marks `place` on the sheet.
+    struct Worst {
+        Eye eye;
+        Vec2 place;
+        std::string words; ///< a sentence on it
+    };
+    std::optional<Worst> worst;
 };
 
 /// Both frames of a comparison, with the eye of the greatest difference if eyes' views were

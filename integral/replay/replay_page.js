@@ -153,6 +153,7 @@ function draw() {
     comparison.draw(drawing, [view_of(0), view_of(1)], canvas);
   else
     drawing.draw(0, view_of(0));
+  draw_ring();
   coarse.drawn(gl, began);
   document.body.dataset.drawn = canvas.width + "x" + canvas.height;
 }
@@ -370,10 +371,24 @@ function give_up(why) {
   trouble(why + " Below is the frame as it is on the film.");
 }
 
-// Moves the eye to a place, such as the worst one.
-function visit(eye) {
-  state.eye = [...eye];
+// Moves the eye to a difference, and marks its place until the eye moves.
+let visited = null; // { eye, place }
+function visit(difference) {
+  visited = difference;
+  state.eye = [...difference.eye];
   changed();
+}
+
+// The ring about the visited place, on the first view.
+function draw_ring() {
+  const is_there = visited !== null && String(visited.eye) === String(state.eye);
+  element("ring").hidden = !is_there;
+  if (!is_there)
+    return;
+  const { size, part } = drawing, dots = canvas.width / canvas.clientWidth;
+  const [across, down] = [0, 1].map((axis) => (visited.place[axis] - part[axis]) / part[2 + axis]);
+  element("ring").style.left = canvas.offsetLeft + (0.5 + across) * size[0] / dots + "px";
+  element("ring").style.top = canvas.offsetTop + (0.5 - down) * size[1] / dots + "px";
 }
 
 const comparison = frames.length > 1 ? new Comparison(start, request, visit) : null;

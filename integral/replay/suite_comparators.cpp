@@ -41,7 +41,7 @@ std::string pieces_of(const SuitePair& pair, const SuiteFolders& folders)
     try {
         const Frame reference = read_frame(folders.reference(pair.name)),
                     result = read_frame(folders.result(pair.name));
-        ComparedPictures pictures{&reference, &result, "", std::nullopt, ""};
+        ComparedPictures pictures{&reference, &result, "", std::nullopt};
         if (pair.figures)
             pictures = compared_pictures(reference, result, *pair.figures);
         pictures.title = pair.name;
