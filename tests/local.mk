@@ -64,6 +64,7 @@ unit_sources = \
   tests/unit/batch_files.cpp \
   tests/unit/batch_progress.cpp \
   tests/unit/batch_renderer_options.cpp \
+  tests/unit/batch_scene_look.cpp \
   tests/unit/batch_strips.cpp \
   tests/unit/batch_tune.cpp \
   tests/unit/compare_flip.cpp \

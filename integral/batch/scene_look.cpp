@@ -12,12 +12,25 @@
 #include <cmath>
 
 namespace integral {
+namespace {
+
+/// The stripes of a pixel that a lens shows separately: those beside each other across the lenses.
+int stripes_across(const FrameMetadata& frame)
+{
+    const Subpixels::Order order = frame.film.subpixels.order;
+    const bool beside = order == Subpixels::rgb || order == Subpixels::bgr,
+               below = order == Subpixels::vrgb || order == Subpixels::vbgr;
+    return (lenses_lie_across(frame.sheet) ? below : beside) ? 3 : 1;
+}
+
+} // namespace
 
 int draft_of_four_views(const FrameMetadata& print)
 {
     constexpr double least = 4, most_draft = 100; // of Integral_Draft=
     const LensRowGeometry across = counted(print);
-    return int(std::clamp(std::floor(across.period / across.pixel / least), 1.0, most_draft));
+    return int(std::clamp(std::floor(stripes_across(print) * across.period / across.pixel / least),
+                          1.0, most_draft));
 }
 
 Image look_of_scene(const std::string& scene, const std::vector<std::string>& options,

@@ -11,8 +11,9 @@
 
 namespace integral {
 
-/// The number (Integral_Draft=) of the coarsest draft with at least four pixels a lens, which is
-/// enough to judge depth. 1 if the print itself has fewer.
+/// The number (Integral_Draft=) of the coarsest draft with at least four pixels a lens, or four
+/// colour stripes of a panel's pixels, which is enough to judge depth. 1 if the print itself has
+/// fewer.
 int draft_of_four_views(const FrameMetadata& print);
 
 /// Has povray-integral render a draft of a scene (names_scene) whose print has the geometry
