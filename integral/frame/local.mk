@@ -12,6 +12,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/frame/frame.h \
   integral/frame/frame_metadata.cpp \
   integral/frame/frame_metadata.h \
+  integral/frame/geometry_difference.cpp \
+  integral/frame/geometry_difference.h \
   integral/frame/geometry_json.cpp \
   integral/frame/geometry_json.h \
   integral/frame/image.cpp \

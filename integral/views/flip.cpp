@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/views/flip.h"
 
-#include "integral/frame/geometry_json.h"
+#include "integral/frame/geometry_difference.h"
 #include "integral/io/frame_rows.h"
 #include "integral/io/image_file.h"
 #include "integral/replay/arrange.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace integral {
 namespace {
-
-/// Whether two frames' pixels have the same rays.
-bool same_rays(const FrameMetadata& a, const FrameMetadata& b)
-{
-    return json_of(a.sheet) == json_of(b.sheet) && json_of(a.film) == json_of(b.film) &&
-           json_of(a.aperture) == json_of(b.aperture);
-}
 
 struct Inputs {
     std::vector<SharedPicture> pictures;
@@ -41,11 +32,11 @@ FrameMetadata geometry_of(const PictureFlip& flip)
         const FrameMetadata& requested = found           ? *found
                                          : flip.geometry ? *flip.geometry
                                                          : *metadata;
-        if (!same_rays(*metadata, requested))
+        if (const auto difference = geometry_difference(*metadata, requested))
             throw std::invalid_argument(
-                path + ": its sheet, film or aperture is not that of " +
-                (found ? first : "--sheet and the options") +
-                "; render all frames for one sheet, at one size");
+                path + ": its " + difference->field + " is " + difference->first +
+                ", and that of " + (found ? first : "--sheet and the options") + " is " +
+                difference->second + "; render all frames for one sheet, at one size");
         if (!found)
             first = path;
         found = metadata;
