@@ -113,6 +113,7 @@ unit_sources = \
   tests/unit/optics_projection.cpp \
   tests/unit/optics_properties.cpp \
   tests/unit/optics_properties.h \
+  tests/unit/optics_ray_gradient.cpp \
   tests/unit/optics_rays.cpp \
   tests/unit/optics_sheets.h \
   tests/unit/optics_subpixels.cpp \

@@ -29,6 +29,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/pixel_run.cpp \
   integral/optics/pixel_run.h \
   integral/optics/projection.h \
+  integral/optics/ray_gradient.cpp \
+  integral/optics/ray_gradient.h \
   integral/optics/refraction.h \
   integral/optics/slit.cpp \
   integral/optics/slit.h \
