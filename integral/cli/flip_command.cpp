@@ -13,7 +13,6 @@
 namespace integral {
 namespace {
 
-constexpr double longer_side = 152.4; // mm, of a print: 6 inches
 constexpr int most_pictures = 256;
 
 struct FlipOptions : CommonOptions {
@@ -66,15 +65,6 @@ bool states_geometry(const FlipOptions& o)
            o.film.size || o.aperture.distance || o.aperture.aperture;
 }
 
-/// Gives the film the default size of a print of the first picture's shape.
-void set_default_size(const std::string& picture, Film& film)
-{
-    const auto [width, height] = picture_size(picture);
-    const double scale = longer_side / std::max(width, height);
-    film.width = std::max(1, int(std::lround(width * scale / film.pixel_pitch.x)));
-    film.height = std::max(1, int(std::lround(height * scale / film.pixel_pitch.y)));
-}
-
 /// The geometry on the line; empty if it gives none and a picture is a frame.
 std::optional<FrameMetadata> geometry_of(const FlipOptions& o)
 {
@@ -83,14 +73,7 @@ std::optional<FrameMetadata> geometry_of(const FlipOptions& o)
     };
     if (!states_geometry(o) && std::any_of(o.inputs.begin(), o.inputs.end(), is_frame))
         return std::nullopt;
-    FrameMetadata geometry = given_geometry(o.start, o.sheet, o.film, o.print);
-    if (geometry.projection)
-        throw InputError(*o.start + ": it is for replay through a projection lens, which no flip "
-                                    "is made for");
-    if (geometry.film.width < 1)
-        set_default_size(o.inputs[0], geometry.film);
-    change_aperture(o.aperture, geometry, o.start && !changes_lenses(o.sheet, o.aperture));
-    return geometry;
+    return geometry_for_pictures(o.start, o.sheet, o.film, o.aperture, o.print, o.inputs[0]);
 }
 
 PictureFlip flip_of(const FlipOptions& o)

@@ -15,6 +15,7 @@ namespace {
 constexpr double default_distance = 300; // mm; the thesis's (3-8)
 constexpr double default_dpi = 300;
 constexpr double largest_size = 20000; // mm, of a page or a print
+constexpr double longer_side = 152.4;  // mm, of a print: 6 inches
 
 /// --lpi: sets the pitch, and the other figures of a common sheet with that many lenses per inch.
 void set_lpi(const SheetOptions& given, LensSheet& sheet)
@@ -34,6 +35,15 @@ void set_lpi(const SheetOptions& given, LensSheet& sheet)
         sheet.thickness = known->thickness;
         sheet.ior = known->ior;
     }
+}
+
+/// Gives the film the default size of a print of a picture's shape.
+void set_default_size(const std::string& picture, Film& film)
+{
+    const auto [width, height] = picture_size(picture);
+    const double scale = longer_side / std::max(width, height);
+    film.width = std::max(1, int(std::lround(width * scale / film.pixel_pitch.x)));
+    film.height = std::max(1, int(std::lround(height * scale / film.pixel_pitch.y)));
 }
 
 } // namespace
@@ -107,6 +117,22 @@ FrameMetadata given_geometry(const std::optional<std::string>& file, const Sheet
     change_sheet(sheet, geometry.sheet);
     change_film(film, print, geometry.film);
     check_geometry(geometry);
+    return geometry;
+}
+
+FrameMetadata geometry_for_pictures(const std::optional<std::string>& file,
+                                    const SheetOptions& sheet, const FilmOptions& film,
+                                    const ApertureOptions& aperture,
+                                    const std::optional<std::string>& print,
+                                    const std::string& picture)
+{
+    FrameMetadata geometry = given_geometry(file, sheet, film, print);
+    if (geometry.projection)
+        throw InputError(*file + ": it is for replay through a projection lens, and pictures make "
+                                 "no frame for that");
+    if (geometry.film.width < 1)
+        set_default_size(picture, geometry.film);
+    change_aperture(aperture, geometry, file && !changes_lenses(sheet, aperture));
     return geometry;
 }
 

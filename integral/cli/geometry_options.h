@@ -57,6 +57,15 @@ FrameMetadata given_geometry(const std::optional<std::string>& file, const Sheet
                              const FilmOptions& film,
                              const std::optional<std::string>& print = std::nullopt);
 
+/// The geometry of a frame that is made from flat pictures: given_geometry, with its aperture. If
+/// nothing gives the film's size, it becomes that of a print, 152.4 mm on the longer side, of the
+/// picture's shape. Throws as given_geometry does, and for a geometry with a projection lens.
+FrameMetadata geometry_for_pictures(const std::optional<std::string>& file,
+                                    const SheetOptions& sheet, const FilmOptions& film,
+                                    const ApertureOptions& aperture,
+                                    const std::optional<std::string>& print,
+                                    const std::string& picture);
+
 /// Changes only what the options give. Throws UsageError.
 void change_sheet(const SheetOptions& given, LensSheet& sheet);
 void change_film(const FilmOptions& given, Film& film);

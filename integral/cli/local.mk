@@ -20,6 +20,7 @@ build_bin_integral_SOURCES += \
   integral/cli/flip_command.cpp \
   integral/cli/geometry_options.cpp \
   integral/cli/geometry_options.h \
+  integral/cli/layers_command.cpp \
   integral/cli/lcd_command.cpp \
   integral/cli/lcd_options.cpp \
   integral/cli/lcd_options.h \

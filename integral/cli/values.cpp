@@ -23,6 +23,13 @@ bool read_number(const char* begin, const char* end, double& value)
 
 } // namespace
 
+std::optional<double> number_in(const std::string& text)
+{
+    double value;
+    return read_number(text.data(), text.data() + text.size(), value) ? std::optional(value)
+                                                                      : std::nullopt;
+}
+
 void throw_usage(const std::string& option, const std::string& text, const std::string& form)
 {
     throw UsageError("--" + option + " " + text + ": " + form + " is expected");
@@ -189,6 +196,13 @@ void check_picture(const std::string& path)
 {
     format_for(path);
     check_writable(path);
+}
+
+void check_depth_name(const char* option, const std::string& path)
+{
+    if (extension_of(path) != "exr")
+        throw UsageError(std::string("--") + option + " " + path +
+                         ": a depth frame is an OpenEXR file; end its name in .exr");
 }
 
 void check_outputs(std::initializer_list<std::optional<std::string>> paths)

@@ -17,6 +17,9 @@ namespace integral {
 [[noreturn]] void throw_usage(const std::string& option, const std::string& text,
                               const std::string& form);
 
+/// The finite decimal number that a whole text is; nothing if it is none.
+std::optional<double> number_in(const std::string& text);
+
 /// Each throws UsageError naming the option, the text and `form`, as in "--eye 1,2: X,Y,DISTANCE
 /// is expected". Numbers are finite decimals.
 double parse_number(const char* option, const std::string& text, const char* form);
@@ -90,6 +93,9 @@ std::string needed_output(const std::optional<std::string>& output, const std::s
 /// Throws OutputError if no picture can be written to this path: unknown format or missing folder.
 /// To be called before long work.
 void check_picture(const std::string& path);
+
+/// Throws UsageError unless an option's path ends in .exr, as a depth frame's does.
+void check_depth_name(const char* option, const std::string& path);
 
 /// Checks the given paths before long work. Throws OutputError if one cannot be written.
 void check_outputs(std::initializer_list<std::optional<std::string>> paths);

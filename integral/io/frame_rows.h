@@ -11,12 +11,12 @@
 
 namespace integral {
 
-/// Draws and writes a frame of the form `form`. `drawing` must have a draw() like FrameOfViews.
-/// `threads` and `progress` as in for_each_row. Throws OutputError, and Interrupted if `progress`
-/// stops the work.
+/// Draws and writes a frame of the form `form`. `drawing` must have a draw() like FrameOfViews,
+/// which is called for consecutive rows from the top. `threads` and `progress` as in for_each_row.
+/// Throws OutputError, and Interrupted if `progress` stops the work.
 template <class Drawing>
-void write_drawn_rows(const std::string& output, const Drawing& drawing, const Frame& form,
-                      int threads, const Progress& progress)
+void write_drawn_rows(const std::string& output, Drawing&& drawing, const Frame& form, int threads,
+                      const Progress& progress)
 {
     const int height = form.image.height, most = rows_of_a_band(form.image);
     PictureWriter file = PictureWriter::of_frame(output, form.image, form.metadata);

@@ -129,6 +129,10 @@ FrameMetadata read_metadata(const std::string& path);
 /// Reads a depth frame with the geometry that it carries. Throws InputError.
 DepthFrame read_depths(const std::string& path);
 
+/// Writes a depth frame as an OpenEXR file with its geometry, without its eye_distances. Throws
+/// OutputError; an old file at `path` is then unchanged.
+void write_depths(const std::string& path, const DepthFrame& frame);
+
 /// Writes a picture row by row, from the top. The file appears at its path only when it is
 /// complete.
 class PictureWriter {

@@ -150,6 +150,19 @@ void write_frame(const std::string& path, const Frame& frame)
     writer.finish();
 }
 
+void write_depths(const std::string& path, const DepthFrame& frame)
+{
+    const Film& film = frame.metadata.film;
+    std::string bytes;
+    try {
+        bytes = encode_floats(film.width, film.height, {{"Z", &frame.depth}, {"A", &frame.imaged}},
+                              to_json(frame.metadata));
+    } catch (const std::exception& error) {
+        throw OutputError(path + ": " + reason_of(error));
+    }
+    write_file(path, bytes);
+}
+
 void write_page(const std::string& path, const Image& page, Vec2 pixel_pitch,
                 const std::string& profile, const std::optional<FrameMetadata>& geometry)
 {

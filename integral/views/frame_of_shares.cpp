@@ -4,6 +4,7 @@
 #include "integral/frame/eye_place.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/interpolate.h"
+#include "integral/views/covered_means.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -16,27 +17,6 @@ ZoneAxis zone_axis(const LensSheet& sheet)
 }
 
 namespace {
-
-/// Source pixels that one new pixel covers, along one side.
-struct Covered {
-    int first = 0;
-    std::vector<float> weights; ///< of the pixels from `first` on; their sum is 1
-};
-
-std::vector<Covered> covered_by(int old_side, int new_side)
-{
-    std::vector<Covered> all(new_side);
-    const double scale = double(old_side) / new_side;
-    for (int k = 0; k < new_side; ++k) {
-        const double from = k * scale, to = std::min((k + 1) * scale, double(old_side));
-        Covered& c = all[k];
-        c.first = std::min(int(from), old_side - 1);
-        for (int at = c.first; at < old_side && (at < to || c.weights.empty()); ++at)
-            c.weights.push_back(
-                float((std::min(to, at + 1.0) - std::max(from, double(at))) / (to - from)));
-    }
-    return all;
-}
 
 void add(Colour& sum, float weight, Colour c)
 {
@@ -56,29 +36,8 @@ Image for_lenses(const Image& picture, const FittedPicture& fit, const FrameMeta
         (lenses_lie_across(sheet) ? step.x : step.y) = lenses_lie_across(sheet)
                                                            ? film.pixel_pitch.x
                                                            : film.pixel_pitch.y;
-    const auto side = [](int pixels, double length, double step) {
-        return std::clamp(int(std::ceil(length / step)), 1, pixels);
-    };
-    const int width = side(picture.width, fit.size.x * size.x, step.x),
-              height = side(picture.height, fit.size.y * size.y, step.y);
-    Image small = make_image<float>(width, height, 4, Encoding{Encoding::Kind::linear});
-    small.premultiplied = true;
-    const LinearReader light(picture);
-    const std::vector<Covered> across = covered_by(picture.width, width),
-                               down = covered_by(picture.height, height);
-    for_each_row(height, threads, [&](int y) {
-        std::vector<Colour> row(picture.width, Colour{0, 0, 0, 0});
-        for (std::size_t j = 0; j < down[y].weights.size(); ++j)
-            for (int x = 0; x < picture.width; ++x)
-                add(row[x], down[y].weights[j], light(x, down[y].first + int(j)));
-        for (int x = 0; x < width; ++x) {
-            Colour mean{0, 0, 0, 0};
-            for (std::size_t i = 0; i < across[x].weights.size(); ++i)
-                add(mean, across[x].weights[i], row[across[x].first + int(i)]);
-            store_linear(small, x, y, mean);
-        }
-    });
-    return small;
+    return covered_means(picture, pixels_of_step(picture.width, fit.size.x * size.x, step.x),
+                         pixels_of_step(picture.height, fit.size.y * size.y, step.y), threads);
 }
 
 struct FrameOfShares::State {

@@ -2,12 +2,20 @@
 # Sources of integral/views: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/views/covered_means.cpp \
+  integral/views/covered_means.h \
   integral/views/flip.cpp \
   integral/views/flip.h \
+  integral/views/frame_of_layers.cpp \
+  integral/views/frame_of_layers.h \
   integral/views/frame_of_shares.cpp \
   integral/views/frame_of_shares.h \
   integral/views/frame_of_views.cpp \
   integral/views/frame_of_views.h \
+  integral/views/layer_picture.h \
+  integral/views/layers.cpp \
+  integral/views/layers.h \
+  integral/views/layers_text.cpp \
   integral/views/parallel_views.cpp \
   integral/views/parallel_views.h \
   integral/views/perspective_views.cpp \

@@ -3,6 +3,7 @@
 //
 // depths count FILE    prints "WIDTHxHEIGHT, SEEN with a surface, OPEN without, EMPTY"
 // depths range FILE    prints the least and the greatest depth of a surface, mm
+// depths pixels FILE   prints for every pixel, row by row, a line with its depth, "inf" or "empty"
 // depths within FILE MM
 //                      prints how many pixels show a surface at most MM mm from the sheet, how many
 //                      show none, and how many are imaged
@@ -88,13 +89,18 @@ bool near(const Depths& d, const frames::Frame& oracle, const std::string& mask_
 bool run(int argc, char** argv)
 {
     const std::string command = argc > 2 ? argv[1] : "";
-    if (command != "count" && command != "range" && !(command == "within" && argc == 4) &&
-        !(command == "near" && argc == 9))
+    if (command != "count" && command != "range" && command != "pixels" &&
+        !(command == "within" && argc == 4) && !(command == "near" && argc == 9))
         throw std::runtime_error("usage: see the head of depths.cpp");
     const Depths d = read_depths(argv[2]);
     if (command == "near")
         return near(d, frames::read_oracle(argv[3], d.height), argv[4], std::stod(argv[5]),
                     std::stod(argv[6]), std::stod(argv[7]), std::stod(argv[8]));
+    if (command == "pixels") {
+        for (std::size_t k = 0; k < d.z.size(); ++k)
+            d.alpha[k] == 1 ? std::cout << d.z[k] << "\n" : std::cout << "empty\n";
+        return true;
+    }
     const double reach = command == "within" ? std::stod(argv[3]) : 0;
     long seen = 0, open = 0, empty = 0, within = 0;
     float least = std::numeric_limits<float>::infinity(), most = -least;

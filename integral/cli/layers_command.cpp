@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// integral layers: flat pictures behind and in front of the sheet, as one frame.
+#include "integral/cli/geometry_options.h"
+#include "integral/cli/fit_options.h"
+#include "integral/cli/progress.h"
+#include "integral/cli/thread_options.h"
+#include "integral/io/image_file.h"
+#include "integral/views/layers.h"
+
+#include <algorithm>
+
+namespace integral {
+namespace {
+
+constexpr int most_layers = 256;
+constexpr double largest_layer = 1e6; // mm
+constexpr char layer_form[] = "PICTURE@DISTANCE[,width=MM][,height=MM][,x=MM][,y=MM]";
+
+struct LayersOptions : CommonOptions {
+    SheetOptions sheet;
+    FilmOptions film;
+    ApertureOptions aperture;
+    std::optional<std::string> start, print, depth, output;
+    std::optional<int> bits;
+    bool transparent = false, json = false;
+    FitOptions fit;
+    ThreadOptions threads;
+};
+
+void declare(options::options_description& all, LayersOptions& o)
+{
+    add(all, "output,o", o.output, "FRAME", "the frame: .png, .exr or .tiff");
+    add(all, "depth", o.depth, "FILE.exr",
+        "the frame's depth frame, for integral combine: at each pixel the distance of the nearest "
+        "layer that is opaque by half or more; named FRAME-depth.exr, combine finds it by itself");
+    add(all, "transparent", o.transparent,
+        "keep the frame transparent where the layers are, in place of black behind them");
+    add(all, "json", o.json, "print the figures as JSON");
+    add(all, "fit", o.fit.given, "HOW",
+        "a layer without a size, of another shape than the film: contain, whole with transparent "
+        "bars (default); cover, filling the film and beyond; or stretch. Nothing is done up to 1%");
+    declare(all, o.sheet);
+    declare(all, o.film);
+    add(all, "print", o.print, "WxH",
+        "size of the frame in mm, instead of --size (default: 152.4 on the longer side, of the "
+        "first picture's shape)");
+    declare(all, o.aperture);
+    declare_start_geometry(all, o.start);
+    add(all, "bits", o.bits, "N", "8 or 16 for PNG and TIFF (default: the most of a picture)");
+    declare(all, o.threads);
+}
+
+/// Reads one of the words after a layer's distance, NAME=MM. Throws UsageError.
+void read_layer_word(const std::string& word, const std::string& given, PictureLayer& layer)
+{
+    const auto equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    const auto value = equals == std::string::npos ? std::nullopt
+                                                   : number_in(word.substr(equals + 1));
+    const auto is_size = [&] {
+        if (!(*value > 0 && *value <= largest_layer))
+            throw UsageError(given + ": " + word +
+                             " is not a size; give more than 0 mm, and at "
+                             "most 1e6");
+        return *value;
+    };
+    if (!value || (name != "width" && name != "height" && name != "x" && name != "y"))
+        throw UsageError(given + ": " + word + " is not one of width=MM, height=MM, x=MM, y=MM; " +
+                         layer_form + " is expected");
+    if (name == "width")
+        layer.width = is_size();
+    else if (name == "height")
+        layer.height = is_size();
+    else if (!(std::fabs(*value) <= largest_layer))
+        throw UsageError(given + ": " + word +
+                         " is too far from the film; at most 1e6 mm is "
+                         "possible");
+    else
+        (name == "x" ? layer.place.x : layer.place.y) = *value;
+}
+
+/// Reads PICTURE@DISTANCE,...; the picture's name ends at the last @. Throws UsageError.
+PictureLayer layer_of(const std::string& given)
+{
+    const auto at = given.rfind('@');
+    if (at == std::string::npos)
+        throw UsageError(given + ": it has no distance; " + layer_form + " is expected");
+    PictureLayer layer;
+    layer.path = given.substr(0, at);
+    std::size_t begin = at + 1, comma = std::min(given.find(',', begin), given.size());
+    const std::string distance = given.substr(begin, comma - begin);
+    const auto value = number_in(distance);
+    if (layer.path.empty() || !value)
+        throw UsageError(given + ": " + (distance.empty() ? "nothing" : distance) +
+                         " is not a distance in mm; " + layer_form + " is expected");
+    if (!(*value <= farthest_layer))
+        throw UsageError(given + ": " + distance + " mm is too far; at most 1e6 is possible");
+    layer.distance = *value;
+    while (comma < given.size()) {
+        begin = comma + 1;
+        comma = std::min(given.find(',', begin), given.size());
+        read_layer_word(given.substr(begin, comma - begin), given, layer);
+    }
+    return layer;
+}
+
+LayersRequest request_of(const LayersOptions& o)
+{
+    LayersRequest request;
+    for (const std::string& given : o.inputs)
+        request.layers.push_back(layer_of(given));
+    request.output = needed_output(o.output, "FRAME");
+    request.depth_output = o.depth.value_or("");
+    if (o.depth)
+        check_depth_name("depth", *o.depth);
+    request.fit = o.fit.value();
+    request.transparent = o.transparent;
+    if (o.bits)
+        request.bits = bits_given(o.bits, 8);
+    request.threads = o.threads.count();
+    request.tell = [](const std::string& what) { say("layers", what); };
+    return request;
+}
+
+int run(const LayersOptions& o)
+{
+    LayersRequest request = request_of(o);
+    format_for(request.output);
+    check_outputs({o.output, o.depth});
+    request.geometry = geometry_for_pictures(o.start, o.sheet, o.film, o.aperture, o.print,
+                                             request.layers[0].path);
+    const LayersView view = write_layers(request, progress_bar("layers"));
+    print_figures(o.json ? layers_json(view) : layers_text(view), request.output == "-");
+    return exit_done;
+}
+
+} // namespace
+
+const Command layers_command = {
+    "layers",
+    "flat pictures at distances behind and in front of the sheet, as one frame",
+    "PICTURE@DISTANCE... -o FRAME [--print WxH] [--lpi N] [--depth FILE.exr] ...",
+    R"(Makes a frame from flat pictures that are parallel to the sheet, each at its own
+DISTANCE: mm behind the sheet, or in front of it if less than 0, as depth frames have it.
+Transparent pictures show what is behind them. For the eye in the middle all layers lie on
+each other as they were painted: a layer fills the film there, however far it is.
+
+After the distance, width=MM, height=MM, x=MM and y=MM, separated by commas, give a layer
+another size, and its middle another place right of and above the film's middle. These
+lengths, too, are measured on the sheet as the eye in the middle sees them. The last @ ends
+the picture's name.
+
+Prints for each layer how large it is at its distance, how far it moves while the eye crosses
+the viewing zone, and whether the sheet and film show that depth sharply.
+)",
+    1,
+    most_layers,
+    described<LayersOptions>,
+    run_with<LayersOptions, run>};
+
+} // namespace integral

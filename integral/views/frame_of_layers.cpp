@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/views/frame_of_layers.h"
+
+#include "integral/base/interrupt.h"
+#include "integral/optics/lens_model.h"
+#include "integral/optics/ray_gradient.h"
+#include "integral/sampling/sample_points.h"
+#include "integral/views/covered_means.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace integral {
+namespace {
+
+constexpr int lines = 16;   ///< of sight, in a pixel
+constexpr double parts = 4; ///< pixels of a layer's picture, in the width of a pixel's beam
+
+/// Where a line of sight of a pixel begins, relative to the pixel's centre and the lens's pole.
+struct LineStart {
+    Vec2 film, cell; ///< mm
+    double slit = 0; ///< mm
+};
+
+/// The area that a film pixel's colours are seen over, mm.
+Vec2 colour_area(const Film& film)
+{
+    const Vec2 size = subpixel_size(film.subpixels);
+    return {size.x * film.pixel_pitch.x, size.y * film.pixel_pitch.y};
+}
+
+/// The height of a lenticular sheet's aperture across its slit.
+double slit_height(const FrameMetadata& geometry)
+{
+    return geometry.sheet.arrangement == Arrangement::lenticular
+               ? extent_across_slit(geometry.sheet,
+                                    {geometry.aperture.width, geometry.aperture.height})
+               : 0;
+}
+
+/// Points of a scrambled Sobol sequence, moved to the middles of their intervals and then towards
+/// the pixel's centre and the lens's pole. By that shrinking the samples, each of which sees the
+/// mean over a pixel of the layer's picture and interpolates between these pixels, have the
+/// variance of the whole beam: 1/12 = spread^2 (1 - 1/lines^2)/12 + (1/12 + 1/6)/parts^2.
+std::vector<LineStart> line_starts(const FrameMetadata& geometry, const Lattice& lattice)
+{
+    const Vec2 area = colour_area(geometry.film);
+    const double height = slit_height(geometry),
+                 spread = std::sqrt((1 - 3 / (parts * parts)) / (1 - 1.0 / (lines * lines)));
+    const PointSeeds seeds = point_seeds(1);
+    std::vector<LineStart> starts;
+    for (int k = 0; k < lines; ++k) {
+        UnitPoint unit = scrambled_point(seeds, std::uint32_t(k));
+        for (double& u : unit)
+            u = (std::floor(u * lines) + 0.5) / lines;
+        const LensPoint point = cell_point(lattice, {unit[0], unit[1]}, height);
+        starts.push_back({spread * Vec2{(unit[2] - 0.5) * area.x, (unit[3] - 0.5) * area.y},
+                          spread * point.offset, spread * point.slit});
+    }
+    return starts;
+}
+
+/// Widths of the boxes, along x and y, that have the variance of a lens's cell.
+Vec2 cell_widths(const Lattice& lattice)
+{
+    const double p = lattice.pitch();
+    switch (lattice.arrangement()) {
+    case Arrangement::square: return {p, p};
+    case Arrangement::hexagonal: return {p * std::sqrt(5.0 / 6), p * std::sqrt(5.0 / 6)};
+    case Arrangement::lenticular: break;
+    }
+    return p * lattice.across();
+}
+
+/// Widths of the boxes, along x and y, that have the variance of the beam of a pixel in the middle
+/// of the film at a layer of that parallax, mm on the sheet.
+Vec2 beam_widths(const FrameMetadata& geometry, double parallax)
+{
+    const SheetOptics optics(geometry.sheet, geometry.aperture);
+    const LensIndex lens = optics.lattice().nearest({0, 0});
+    const Vec2 film_point = optics.lattice().pole(lens), area = colour_area(geometry.film);
+    RayGradient g;
+    if (const auto ray = optics.ray_through(film_point, lens))
+        g = ray_gradient(optics, film_point, *ray);
+    Vec2 squares;
+    const auto add = [&](Vec2 width) {
+        squares = squares + Vec2{width.x * width.x, width.y * width.y};
+    };
+    const auto add_moved = [&](const RayShift& shift, double by) {
+        add(by * (shift.pole - parallax * shift.aperture));
+    };
+    add((1 - parallax) * cell_widths(optics.lattice()));
+    add_moved(g.x, area.x);
+    add_moved(g.y, area.y);
+    add_moved(g.slit, slit_height(geometry));
+    return {std::sqrt(squares.x), std::sqrt(squares.y)};
+}
+
+/// A layer as the drawing needs it: places on the sheet become pixels of the picture.
+struct PlacedLayer {
+    explicit PlacedLayer(const DrawnLayer& layer, double viewing_distance)
+        : picture(&layer.picture),
+          distance(layer.distance),
+          parallax(layer_parallax(layer.distance, viewing_distance))
+    {
+        const auto& [middle, size] = layer.window;
+        scale = {picture->width() / size.x, -picture->height() / size.y};
+        first = {0.5 * picture->width() - scale.x * middle.x,
+                 0.5 * picture->height() - scale.y * middle.y};
+    }
+
+    /// The light that the line of sight through a point of the sheet and one of the aperture plane
+    /// meets.
+    FourFloats along(Vec2 sheet_point, Vec2 aperture_point) const
+    {
+        const Vec2 place = sheet_point - parallax * aperture_point;
+        return picture->at(first.x + scale.x * place.x, first.y + scale.y * place.y);
+    }
+
+    const LayerPicture* picture;
+    double distance, parallax;
+    Vec2 scale, first;
+};
+
+} // namespace
+
+DrawnLayer drawn_layer(const Image& picture, double distance, const LayerWindow& window,
+                       const FrameMetadata& geometry, int threads)
+{
+    const Vec2 step = (1 / parts) *
+                      beam_widths(geometry, layer_parallax(distance, geometry.aperture.distance));
+    Image small = covered_means(picture, pixels_of_step(picture.width, window.size.x, step.x),
+                                pixels_of_step(picture.height, window.size.y, step.y), threads);
+    const auto fade = [](double step, double length, int pixels) {
+        return std::min(1.0, step * pixels / length);
+    };
+    const Vec2 fades{fade(step.x, window.size.x, small.width),
+                     fade(step.y, window.size.y, small.height)};
+    return {LayerPicture(std::move(small), fades), distance, window};
+}
+
+struct FrameOfLayers::State {
+    State(std::vector<DrawnLayer> given, const FrameMetadata& metadata, bool is_transparent)
+        : geometry(metadata),
+          optics(metadata.sheet, metadata.aperture),
+          starts(line_starts(metadata, optics.lattice())),
+          drawn(std::move(given)),
+          transparent(is_transparent)
+    {
+        for (auto layer = drawn.rbegin(); layer != drawn.rend(); ++layer)
+            layers.emplace_back(*layer, metadata.aperture.distance);
+        std::stable_sort(
+            layers.begin(), layers.end(),
+            [](const PlacedLayer& a, const PlacedLayer& b) { return a.distance < b.distance; });
+    }
+
+    /// The mean light along the lines of sight of a film point's pixel. Parts of the pixel that
+    /// belong to a neighbouring lens do not count, unless the neighbour's light misses the
+    /// aperture.
+    Colour light(Vec2 film_point, const MappedPoint& mapped) const
+    {
+        const LensRay& ray = *mapped.ray;
+        constexpr float opaque = 1.0f / 1024; // what less than this passes is not looked at
+        const RayGradient g = ray_gradient(optics, film_point, ray);
+        std::array<Vec2, lines> sheet_points, aperture_points;
+        std::array<float, lines> open; // the share of light that the layers so far let through
+        float counted = 0;
+        for (int k = 0; k < lines; ++k) {
+            const LineStart& start = starts[k];
+            sheet_points[k] = ray.pole + start.cell + start.film.x * g.x.pole +
+                              start.film.y * g.y.pole + start.slit * g.slit.pole;
+            aperture_points[k] = ray.aperture_point + start.cell + start.film.x * g.x.aperture +
+                                 start.film.y * g.y.aperture + start.slit * g.slit.aperture;
+            open[k] = mapped.searched ||
+                      optics.lattice().nearest(film_point + start.film) == ray.lens;
+            counted += open[k];
+        }
+        if (counted == 0) { // a tiny part belongs to the lens, and no line begins there
+            std::fill_n(open.begin(), lines, 1.0f);
+            counted = float(lines);
+        }
+        FourFloats sum{0, 0, 0, 0};
+        for (const PlacedLayer& layer : layers) {
+            bool more = false;
+            for (int k = 0; k < lines; ++k) {
+                if (open[k] < opaque)
+                    continue;
+                const FourFloats seen = layer.along(sheet_points[k], aperture_points[k]);
+                sum += open[k] * seen;
+                open[k] *= 1 - seen[3];
+                more = more || open[k] >= opaque;
+            }
+            if (!more)
+                break;
+        }
+        sum *= 1 / counted;
+        return {sum[0], sum[1], sum[2], transparent ? sum[3] : 1};
+    }
+
+    /// Calls visit(x, mapped point, film point) for the pixels of a row that a lens images.
+    /// `channel`: as in subpixel_centre; negative: the pixel's centre.
+    template <class Visit> void for_each_pixel(int y, int channel, Visit visit) const
+    {
+        const Film& film = geometry.film;
+        RayRun<Vec2> points;
+        RayRun<MappedPoint> mapped;
+        for (int first = 0; first < film.width; first += run_length) {
+            const int number = std::min(run_length, film.width - first);
+            for (int k = 0; k < number; ++k)
+                points[k] = film_from_pixel(
+                    film, channel < 0 ? Vec2{first + k + 0.5, y + 0.5}
+                                      : subpixel_centre(film.subpixels, first + k, y, channel));
+            optics.map_run(number, points, LensMapping::automatic, mapped);
+            for (int k = 0; k < number; ++k)
+                if (mapped[k].ray)
+                    visit(first + k, mapped[k], points[k]);
+        }
+    }
+
+    /// The light of a row's pixels; black (transparent) where no lens images them.
+    std::vector<Colour> row(int y) const
+    {
+        std::vector<Colour> all(geometry.film.width, Colour{0, 0, 0, 0});
+        if (geometry.film.subpixels == Subpixels::none) {
+            for_each_pixel(y, -1, [&](int x, const MappedPoint& mapped, Vec2 point) {
+                all[x] = light(point, mapped);
+            });
+            return all;
+        }
+        for (int channel = 0; channel < 3; ++channel)
+            for_each_pixel(y, channel, [&](int x, const MappedPoint& mapped, Vec2 point) {
+                const Colour c = light(point, mapped);
+                (channel == 0   ? all[x].r
+                 : channel == 1 ? all[x].g
+                                : all[x].b) = channel == 0   ? c.r
+                                              : channel == 1 ? c.g
+                                                             : c.b;
+                all[x].a += c.a / 3;
+            });
+        return all;
+    }
+
+    /// The distance of the nearest layer that is opaque by half or more; infinite if there is none.
+    float depth(const LensRay& ray) const
+    {
+        for (const PlacedLayer& layer : layers)
+            if (layer.along(ray.pole, ray.aperture_point)[3] >= 0.5f)
+                return float(layer.distance);
+        return std::numeric_limits<float>::infinity();
+    }
+
+    FrameMetadata geometry;
+    SheetOptics optics;
+    std::vector<LineStart> starts;
+    std::vector<DrawnLayer> drawn;
+    std::vector<PlacedLayer> layers; ///< of `drawn`, from the front to the back
+    bool transparent;
+};
+
+FrameOfLayers::FrameOfLayers(std::vector<DrawnLayer> layers, const FrameMetadata& geometry,
+                             bool transparent)
+    : state_(std::make_unique<State>(std::move(layers), geometry, transparent))
+{
+}
+FrameOfLayers::~FrameOfLayers() = default;
+
+bool FrameOfLayers::draw(int first, Image& band, int threads, const Progress& progress) const
+{
+    const auto row = [&](int y) {
+        const std::vector<Colour> light = state_->row(first + y);
+        for (int x = 0; x < band.width; ++x)
+            store_linear(band, x, y, light[std::size_t(x)]);
+    };
+    return for_each_row(band.height, threads, row, progress);
+}
+
+DepthFrame FrameOfLayers::depths(int threads, const Progress& progress) const
+{
+    const State& s = *state_;
+    const Film& film = s.geometry.film;
+    const std::size_t pixels = std::size_t(film.width) * std::size_t(film.height);
+    DepthFrame frame{std::vector<float>(pixels), std::vector<float>(pixels), s.geometry};
+    const auto row = [&](int y) {
+        const std::size_t first = std::size_t(y) * std::size_t(film.width);
+        s.for_each_pixel(y, -1, [&](int x, const MappedPoint& mapped, Vec2) {
+            frame.depth[first + std::size_t(x)] = s.depth(*mapped.ray);
+            frame.imaged[first + std::size_t(x)] = 1;
+        });
+    };
+    if (!for_each_row(film.height, threads, row, progress))
+        throw Interrupted();
+    return frame;
+}
+
+} // namespace integral

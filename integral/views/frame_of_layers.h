@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Makes the frame of flat pictures that are parallel to the sheet, some rows at a time.
+//
+// Places in a layer are measured on the sheet: as the eye in the middle of the aperture sees them
+// there. For a layer z mm behind the sheet and an eye d mm before it, the line of sight through a
+// point P of the sheet and A of the aperture plane meets the layer at the place P - rho A, with
+// rho = z/(d + z), the layer's parallax (relief.h).
+#ifndef INTEGRAL_VIEWS_FRAME_OF_LAYERS_H
+#define INTEGRAL_VIEWS_FRAME_OF_LAYERS_H
+
+#include "integral/base/parallel.h"
+#include "integral/frame/depth_range.h"
+#include "integral/views/layer_picture.h"
+
+#include <memory>
+#include <vector>
+
+namespace integral {
+
+/// A rectangle on the sheet, mm: its middle from the sheet's centre (y upwards), and its size.
+struct LayerWindow {
+    Vec2 middle, size;
+};
+
+/// The parallax of a layer z mm behind the sheet, seen from `distance` mm; z > -distance.
+inline double layer_parallax(double z, double distance) { return z / (distance + z); }
+
+/// A picture in its window. The picture was made only as fine as its layer can show it.
+struct DrawnLayer {
+    LayerPicture picture;
+    double distance = 0; ///< z, mm behind the sheet; negative: in front
+    LayerWindow window;
+};
+
+/// The picture reduced to the detail that a pixel of the frame shows of a layer in that window:
+/// pixels of a quarter of the beam's width there. `threads`: 0: one per core.
+DrawnLayer drawn_layer(const Image& picture, double distance, const LayerWindow& window,
+                       const FrameMetadata& geometry, int threads);
+
+/// Draws the frame. A film pixel (or each of its subpixels) gathers light over its own area and its
+/// lens's cell (with a lenticular sheet also over the height of the aperture), along 16 lines of
+/// sight, with the same pattern in all pixels. Along each line the layers cover each other from the
+/// front to the back, in linear light. All lines of a pixel go through the lens of the pixel's
+/// centre, from the part of the pixel that lies behind this lens.
+class FrameOfLayers {
+public:
+    /// `layers`: any order; of two at the same distance, the later one is in front. If
+    /// `transparent` is not set, they stand on black.
+    FrameOfLayers(std::vector<DrawnLayer> layers, const FrameMetadata& geometry, bool transparent);
+    ~FrameOfLayers();
+
+    /// Draws rows as FrameOfShares::draw does.
+    bool draw(int first, Image& band, int threads, const Progress& progress) const;
+
+    /// The depth of each pixel: the distance of the nearest layer whose alpha is at least 1/2 on
+    /// the line of sight through the pixel's centre and its lens's middle, else infinite. Throws
+    /// Interrupted.
+    DepthFrame depths(int threads, const Progress& progress) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace integral
+
+#endif

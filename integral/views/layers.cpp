@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/views/layers.h"
+
+#include "integral/base/number_text.h"
+#include "integral/io/frame_rows.h"
+#include "integral/io/image_file.h"
+#include "integral/replay/arrange.h"
+#include "integral/sheet/depth_advice.h"
+#include "integral/sheet/sheet_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace integral {
+namespace {
+
+void check_distance(const PictureLayer& layer, double viewing_distance)
+{
+    if (!(layer.distance > -viewing_distance))
+        throw std::invalid_argument(
+            layer.path + ": a layer " + with_digits(-layer.distance, 6) +
+            " mm in front of the sheet is not before the viewer, who is at " +
+            with_digits(viewing_distance, 6) + " mm; give it a distance greater than -" +
+            with_digits(viewing_distance, 6));
+}
+
+/// The rectangle of a picture of that shape on the sheet.
+LayerWindow window_of(const PictureLayer& layer, double shape, const LayersRequest& request)
+{
+    if (layer.width || layer.height)
+        return {layer.place,
+                {layer.width ? *layer.width : shape * *layer.height,
+                 layer.height ? *layer.height : *layer.width / shape}};
+    const FittedPicture fit = fitted(shape, shape_of(request.geometry.film), request.fit);
+    if (fit.differs())
+        request.tell(layer.path + ": " + fit_text(fit, "the film", "transparent bars"));
+    const Vec2 film = size_of(request.geometry.film);
+    return {layer.place, {fit.size.x * film.x, fit.size.y * film.y}};
+}
+
+LayerSharpness sharpness_at(double distance, std::optional<double> budget)
+{
+    if (!budget)
+        return LayerSharpness::unknown;
+    const double budgets = std::fabs(distance) / *budget;
+    return budgets <= 1              ? LayerSharpness::sharp
+           : budgets <= soft_budgets ? LayerSharpness::soft
+                                     : LayerSharpness::beyond;
+}
+
+/// The BareEdge of the farthest layer, if it has one. `zone`: width and height.
+std::optional<BareEdge> bare_edge(const PictureLayer& layer, const LayerWindow& window,
+                                  const FrameMetadata& geometry, Vec2 zone)
+{
+    constexpr double tolerance = 0.01; // of the film; fitted pictures may differ by that much
+    const double parallax = layer_parallax(layer.distance, geometry.aperture.distance);
+    const Vec2 film = size_of(geometry.film);
+    BareEdge bare{layer.path};
+    double factor = 1;
+    const auto side = [&](double picture, double middle, double target, double extent) {
+        const double beside = 0.5 * picture - std::fabs(middle) - 0.5 * target, // from the middle
+            needed = 0.5 * std::fabs(parallax) * extent;
+        bare.margin = std::max(bare.margin, needed - beside);
+        factor = std::max(factor, (target + 2 * (needed + std::fabs(middle))) / picture);
+        return beside >= -tolerance * target;
+    };
+    const bool fills = side(window.size.x, window.middle.x, film.x, zone.x) &
+                       side(window.size.y, window.middle.y, film.y, zone.y);
+    bare.width = factor * window.size.x;
+    if (!fills || bare.margin <= tolerance * std::min(film.x, film.y))
+        return std::nullopt;
+    return bare;
+}
+
+/// The picture, for a layer. Throws std::invalid_argument if it is a frame.
+Image layer_image(const PictureLayer& layer)
+{
+    Frame frame = read_frame(layer.path);
+    if (frame.metadata)
+        throw std::invalid_argument(layer.path + ": it is a frame, with depth of its own; integral "
+                                                 "combine merges it with a frame of layers");
+    return std::move(frame.image);
+}
+
+struct Inputs {
+    std::vector<DrawnLayer> layers;
+    Image form; ///< of the frame
+};
+
+/// Reads the pictures and adds their figures to `view`.
+Inputs read_layers(const LayersRequest& request, LayersView& view)
+{
+    const FrameMetadata& geometry = request.geometry;
+    const double viewing = geometry.aperture.distance;
+    const Vec2 zone = viewing_zone(geometry, viewing);
+    const PictureLayer* farthest = nullptr;
+    view.budget = seen_budget(geometry);
+    Inputs all;
+    int bits = 8;
+    for (const PictureLayer& layer : request.layers) {
+        stop_if_interrupted();
+        const Image image = layer_image(layer);
+        bits = std::max(bits, sample_bits(image));
+        if (all.layers.empty())
+            all.form.encoding = image.encoding;
+        const LayerWindow window = window_of(layer, double(image.width) / image.height, request);
+        const double there = (viewing + layer.distance) / viewing,
+                     parallax = layer_parallax(layer.distance, viewing);
+        view.layers.push_back({layer.path, layer.distance, there * window.size,
+                               parallax * (lenses_lie_across(geometry.sheet) ? zone.y : zone.x),
+                               sharpness_at(layer.distance, view.budget)});
+        if (!farthest || layer.distance > farthest->distance) {
+            farthest = &layer;
+            view.bare = bare_edge(layer, window, geometry, zone);
+        }
+        all.layers.push_back(drawn_layer(image, layer.distance, window, geometry, request.threads));
+    }
+    if (format_for(request.output) == ImageFormat::exr)
+        all.form.encoding = {Encoding::Kind::linear, 1};
+    all.form = form_of(
+        format_for(request.output) == ImageFormat::exr ? 32 : request.bits.value_or(bits),
+        geometry.film.width, geometry.film.height, request.transparent ? 4 : 3, all.form.encoding);
+    return all;
+}
+
+} // namespace
+
+LayersView write_layers(const LayersRequest& request, const Progress& progress)
+{
+    for (const PictureLayer& layer : request.layers)
+        check_distance(layer, request.geometry.aperture.distance);
+    LayersView view;
+    Inputs inputs = read_layers(request, view);
+    FrameMetadata geometry = request.geometry;
+    geometry.placement.reset(); // the frame shows no rendered scene
+    geometry.parallax.reset();
+    geometry.render.reset();
+    geometry.encoding = inputs.form.encoding;
+    Frame form{inputs.form, std::nullopt};
+    set_metadata(form, geometry);
+    const FrameOfLayers drawing(std::move(inputs.layers), geometry, request.transparent);
+    const bool has_depth = !request.depth_output.empty();
+    const int steps = has_depth ? 2 : 1;
+    std::optional<DepthFrame> depths;
+    if (has_depth)
+        depths = drawing.depths(request.threads, piece_of(progress, 0, steps));
+    write_drawn_rows(request.output, drawing, form, request.threads,
+                     piece_of(progress, steps - 1, steps));
+    if (depths)
+        write_depths(request.depth_output, *depths);
+    return view;
+}
+
+} // namespace integral
