@@ -42,7 +42,7 @@ build/generated/page_texts.h: $(page_files)
 $(page_objects): build/generated/page_texts.h
 
 # Man pages and completion for bash say what its commands declare.
-integral_commands = studio sheet replay views flip layers print lcd depth compare tune batch wireframe rectify mask resolve multiview
+integral_commands = studio sheet replay views flip layers combine print lcd depth compare tune batch wireframe rectify mask resolve multiview
 integral_pages = build/share/man/integral.1 $(patsubst %,build/share/man/integral-%.1,$(integral_commands))
 man_MANS += $(integral_pages)
 build/share/man/integral.1: build/bin/integral

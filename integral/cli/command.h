@@ -80,7 +80,7 @@ struct Command {
 };
 
 extern const Command studio_command, sheet_command, replay_command, views_command, flip_command,
-    layers_command, print_command, lcd_command, depth_command, compare_command,
+    layers_command, combine_command, print_command, lcd_command, depth_command, compare_command,
     tune_command, batch_command, wireframe_command, rectify_command, mask_command, resolve_command,
     multiview_command;
 

@@ -6,6 +6,7 @@ build_bin_integral_SOURCES += \
   integral/cli/batch_check.h \
   integral/cli/batch_command.cpp \
   integral/cli/choices.h \
+  integral/cli/combine_command.cpp \
   integral/cli/command.cpp \
   integral/cli/command.h \
   integral/cli/command_pages.cpp \

@@ -2,6 +2,8 @@
 # Sources of integral/views: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/views/combine.cpp \
+  integral/views/combine.h \
   integral/views/covered_means.cpp \
   integral/views/covered_means.h \
   integral/views/flip.cpp \

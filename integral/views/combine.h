@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Merges frames of one sheet and film by their depth frames: at each pixel the nearer frame covers
+// the farther ones (thesis 6.1).
+#ifndef INTEGRAL_VIEWS_COMBINE_H
+#define INTEGRAL_VIEWS_COMBINE_H
+
+#include "integral/base/parallel.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace integral {
+
+struct CombineRequest {
+    std::vector<std::string> frames; ///< at least 2
+    std::vector<std::string> depths; ///< a depth frame for each; empty: depth_beside them
+    std::string output;
+    std::string depth_output; ///< the merged depth frame; empty: none is written
+    std::optional<int> bits;  ///< 8, 16 or 32; nothing: the most bits of any frame
+    int threads = 0;          ///< 0: one per core
+};
+
+/// The name that a frame's depth frame has beside it: FRAME-depth.exr for FRAME.EXTENSION.
+std::string depth_beside(const std::string& frame);
+
+/// For each frame, the part of the film where its depth is the nearest; 0 to 1.
+using CombinedShares = std::vector<double>;
+
+/// Writes the merged frame, and its depth frame if requested. At a pixel the frames are ordered by
+/// their depths, at equal depths as they are given; each covers those behind it by its alpha, in
+/// linear light. Frames without alpha are opaque. The depth of a pixel is that of the nearest frame
+/// whose alpha there is at least 1/2 or, if there is none, of the nearest. The new document
+/// contains no placement, parallax or render. Throws std::invalid_argument for frames of different
+/// geometry, InputError, OutputError, and Interrupted if `progress` stops the work.
+CombinedShares write_combined(const CombineRequest& request, const Progress& progress);
+
+} // namespace integral
+
+#endif
