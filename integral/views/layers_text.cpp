@@ -13,9 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The text at the right of a column, after at least one blank.
 std::string column(const std::string& text, std::size_t width)
 {
-    return std::string(text.size() < width ? width - text.size() : 0, ' ') + text;
+    return std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
 }
 
 std::string place_text(double distance)
