@@ -104,6 +104,7 @@ unit_sources = \
   tests/unit/optics_collineation.cpp \
   tests/unit/optics_fill.cpp \
   tests/unit/optics_film.cpp \
+  tests/unit/optics_film_in_sight.cpp \
   tests/unit/optics_lattice.cpp \
   tests/unit/optics_lens_box.cpp \
   tests/unit/optics_mapping.cpp \
@@ -162,6 +163,7 @@ unit_sources = \
   tests/unit/sheet_scene_fit.cpp \
   tests/unit/sheet_zone_shares.cpp \
   tests/unit/studio_placement.cpp \
+  tests/unit/views_light_field.cpp \
   tests/unit/views_parallel_views.cpp \
   tests/unit/views_picture_fit.cpp \
   tests/unit/wireframe.cpp \

@@ -26,5 +26,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/frame/picture_fit.h \
   integral/frame/quilt_name.cpp \
   integral/frame/quilt_name.h \
+  integral/frame/recorded_camera.cpp \
+  integral/frame/recorded_camera.h \
   integral/frame/view_eyes.h \
   integral/frame/view_grid.h

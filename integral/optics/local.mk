@@ -15,6 +15,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/coverage.cpp \
   integral/optics/coverage.h \
   integral/optics/film.h \
+  integral/optics/film_in_sight.cpp \
+  integral/optics/film_in_sight.h \
   integral/optics/lens_box.cpp \
   integral/optics/lens_box.h \
   integral/optics/lens_mapping.cpp \
