@@ -10,14 +10,15 @@
 #include <stdexcept>
 
 namespace integral {
-namespace {
 
-DepthInput of_frame(const Frame& frame, int threads, const Progress& progress)
+DepthInput depth_input_of(const Frame& frame, int threads, const Progress& progress)
 {
     const Vec2 size = size_of(frame.metadata->film);
     return {view_set(frame, threads, progress), size.x, size.y, frame.metadata,
             form_of(frame.image)};
 }
+
+namespace {
 
 /// Reverses the order of the rows of views, so that the lowest row comes first.
 void turn_over(std::vector<Image>& views, ViewGrid grid)
@@ -66,7 +67,7 @@ DepthInput of_views(const std::vector<std::string>& inputs, const DepthRequest& 
         turn_right_to_left(given.views, grid);
     if (given.metadata) {
         if (!given.metadata->quilt->eyes)
-            return of_frame(frame_of(given, grid, threads, progress), threads, progress);
+            return depth_input_of(frame_of(given, grid, threads, progress), threads, progress);
         if (!eyes)
             eyes = eyes_in({*given.metadata->quilt->eyes, size_of(given.metadata->film).x,
                             given.metadata->sheet},
@@ -103,7 +104,7 @@ DepthInput read_depth_input(const std::vector<std::string>& inputs, const DepthR
     }
     if (frame && (request.aspect || request.right_to_left))
         throw std::invalid_argument("it is a frame; --aspect and --right-to-left are for views");
-    return frame ? of_frame(*frame, threads, progress)
+    return frame ? depth_input_of(*frame, threads, progress)
                  : of_views(inputs, request, threads, progress);
 }
 

@@ -37,6 +37,10 @@ struct DepthInput {
     Image form; ///< of the pictures: sample type and encoding, without samples
 };
 
+/// The input of a frame in memory that has metadata. Throws std::invalid_argument as view_set does,
+/// and Interrupted where `progress` stops the work.
+DepthInput depth_input_of(const Frame& frame, int threads, const Progress& progress);
+
 /// Reads one frame, one quilt or MPO, or the files of all views. Turns parallel views of a frame
 /// back into that frame. Throws InputError, std::invalid_argument where the request does not fit
 /// the inputs, Interrupted.

@@ -289,27 +289,32 @@ std::optional<Frame> PanelImages::read_frame_of(const std::vector<std::string>& 
     return std::nullopt;
 }
 
-Frame PanelImages::image_of_views(const std::vector<std::string>& group)
+/// Reads the views that a group consists of.
+ViewInput PanelImages::read_views_of(const std::vector<std::string>& group) const
 {
     ViewsRequest request;
     request.grid = options_.views;
     request.of_eyes = true;
     request.aspect = options_.aspect;
-    ViewInput views = read_given_views(group, request);
+    return read_given_views(group, request);
+}
+
+Frame PanelImages::image_of_views(const std::string& name, ViewInput views)
+{
     if (views.metadata && !views.metadata->quilt->eyes)
-        throw RequestError(group[0] +
-                           ": it holds parallel views; a panel shows those of eyes (integral "
-                           "views --eyes), or the frame (integral views --to-frame)");
+        throw RequestError(name + ": it holds parallel views; a panel shows those of eyes "
+                                  "(integral views --eyes), or the frame (integral views "
+                                  "--to-frame)");
     std::optional<EyeGrid> eyes;
     if (views.metadata) {
-        check_directions(group[0], *views.metadata, views.grid);
+        check_directions(name, *views.metadata, views.grid);
         eyes = eyes_before(panel_.film, *views.metadata, *views.metadata->quilt->eyes);
     }
     if (options_.right_to_left)
         turn_right_to_left(views.views, directions_of(views.grid, geometry_.sheet));
     const FittedPicture picture = fitted_to_panel(views.shape);
     if (picture.differs())
-        options_.tell(group[0] + ": " + fit_text(views, picture, "the panel"));
+        options_.tell(name + ": " + fit_text(views, picture, "the panel"));
     return finished(interlaced(std::move(views.views), views.grid, eyes, options_.blend, picture));
 }
 
@@ -367,7 +372,8 @@ Frame PanelImages::image_of(const std::vector<std::string>& group)
     try {
         const auto frame = read_frame_of(group);
         stop_if_interrupted();
-        return frame ? image_of_frame(group[0], *frame) : image_of_views(group);
+        return frame ? image_of_frame(group[0], *frame)
+                     : image_of_views(group[0], read_views_of(group));
     } catch (const RequestError&) {
         throw;
     } catch (const std::invalid_argument& error) {

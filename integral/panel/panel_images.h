@@ -53,6 +53,11 @@ public:
     /// Throws RequestError, InputError, Interrupted.
     Frame image_of(const std::vector<std::string>& group);
 
+    /// The same for a frame with metadata, and for views of eyes, that are in memory. `name`: their
+    /// name in messages. Throw RequestError and Interrupted.
+    Frame image_of_frame(const std::string& name, const Frame& frame);
+    Frame image_of_views(const std::string& name, ViewInput views);
+
     /// The panel's image of a test card. Throws RequestError.
     Frame card(PanelCard card);
 
@@ -62,8 +67,7 @@ public:
 private:
     std::optional<Frame> read_frame_of(const std::vector<std::string>& group) const;
     void check_directions(const std::string& name, const FrameMetadata& frame, ViewGrid grid) const;
-    Frame image_of_views(const std::vector<std::string>& group);
-    Frame image_of_frame(const std::string& name, const Frame& frame);
+    ViewInput read_views_of(const std::vector<std::string>& group) const;
     Frame native_image(const std::string& name, const Frame& frame);
     Frame image_of_card(PanelCard card);
     Image interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes,
