@@ -31,6 +31,7 @@ include $(srcdir)/integral/wireframe/local.mk
 include $(srcdir)/integral/batch/local.mk
 include $(srcdir)/integral/laboratory/local.mk
 include $(srcdir)/integral/studio/local.mk
+include $(srcdir)/integral/python/local.mk
 include $(srcdir)/integral/cli/local.mk
 
 # The pages' files as C++ strings named like them: replay_page.html is replay_page_html.

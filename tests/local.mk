@@ -217,7 +217,7 @@ programs_of_unit = build/tests/unit
 programs_of_render = build/tests/oracle build/tests/frames build/tests/depths build/tests/centroid
 programs_of_quick = $(programs_of_unit) $(programs_of_render)
 programs_of_replay = $(programs_of_render) build/tests/parallax build/bench/eyes
-programs_of_cli = $(programs_of_render) build/tests/scan build/bench/large_frames $(cups_programs) $(screen_programs)
+programs_of_cli = $(programs_of_render) build/tests/scan build/bench/large_frames $(cups_programs) $(screen_programs) $(python_tests)
 programs_of_sanitized = $(programs_of_render) build/sanitized/unit build/sanitized/integral \
   build/sanitized/mutations
 chosen_layers = $(or $(LAYERS),unit render replay cli days sanitized)

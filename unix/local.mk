@@ -8,7 +8,7 @@ povray_environment = TOP='$(abs_top_srcdir)' BUILD='$(abs_top_builddir)/build' \
 
 .PHONY: povray-integral pristine refresh check-patches
 
-all-local: povray-integral
+all-local: povray-integral $(python_of_all)
 
 povray-integral: build/lib/libintegral.a
 	@$(povray_environment) $(abs_top_srcdir)/unix/assemble `$(povray_environment) \
@@ -40,7 +40,7 @@ install-exec-local: povray-integral
 	$(MKDIR_P) '$(DESTDIR)$(bindir)'
 	$(INSTALL_PROGRAM) build/bin/povray-integral '$(DESTDIR)$(bindir)/povray-integral'
 
-install-data-local: povray-integral install-libintegral
+install-data-local: povray-integral install-libintegral $(python_of_install)
 	$(MKDIR_P) '$(DESTDIR)$(shareddir)' '$(DESTDIR)$(legaldir)'
 	cp -RL build/share/povray-integral-3.7/. '$(DESTDIR)$(shareddir)'
 	chmod -R u+rwX,go+rX,go-w '$(DESTDIR)$(shareddir)'
@@ -49,7 +49,7 @@ install-data-local: povray-integral install-libintegral
 	cp -R $(top_srcdir)/doc/. '$(DESTDIR)$(legaldir)'
 	chmod -R u+rwX,go+rX,go-w '$(DESTDIR)$(legaldir)'
 
-uninstall-local: uninstall-libintegral
+uninstall-local: uninstall-libintegral $(python_of_uninstall)
 	rm -f '$(DESTDIR)$(bindir)/povray-integral'
 	rm -rf '$(DESTDIR)$(shareddir)' '$(DESTDIR)$(legaldir)'
 

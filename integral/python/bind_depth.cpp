@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Depth measured in frames, and pictures in focus at a depth, for Python.
+#include "integral/base/interrupt.h"
+#include "integral/depth/depth_files.h"
+#include "integral/depth/depth_quality.h"
+#include "integral/depth/relief_frame.h"
+#include "integral/depth/relief_input.h"
+#include "integral/python/arrays.h"
+#include "integral/python/calls.h"
+#include "integral/python/rooms.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral {
+namespace {
+
+DepthQuality quality_named(const std::string& name)
+{
+    const auto quality = depth_quality(name);
+    if (!quality)
+        throw std::invalid_argument("quality " + name + ": draft, good or best is expected");
+    return *quality;
+}
+
+UprightMap measured(const Frame& frame, DepthQuality quality, int width, int threads,
+                    const Progress& progress)
+{
+    DepthInput input = depth_input_of(frame, threads, piece_of(progress, 0, 2));
+    soften(input.views, threads);
+    keep_views(input.views, quality);
+    const auto map = multibaseline(input.views, settings_for(quality), threads,
+                                   piece_of(progress, 1, 2));
+    if (!map)
+        throw Interrupted();
+    return upright_map(input.views, *map, input.width, input.height, width);
+}
+
+/// (depth_mm, disparity, confidence, colour, pixel_mm) of what the centre eye sees.
+py::tuple depth(const py::object& of_python, const std::string& quality, int width, int threads,
+                const py::object& progress)
+{
+    const Frame frame = frame_with_geometry(of_python);
+    const DepthQuality chosen = quality_named(quality);
+    UprightMap map = result_of_long(progress, [&](const Progress& report) {
+        return measured(frame, chosen, width, threads, report);
+    });
+    const std::vector<py::ssize_t> shape{map.height, map.width};
+    std::vector<float> colour(map.disparity.size() * 3);
+    for (std::size_t k = 0; k < colour.size(); ++k)
+        colour[k] = map.colour[k % 3][k / 3];
+    const py::array depths = array_of(map.depths(), shape); // of the disparities, which then go
+    return py::make_tuple(depths, array_of(std::move(map.disparity), shape),
+                          array_of(std::move(map.confidence), shape),
+                          array_of(std::move(colour), {map.height, map.width, 3}), map.pixel);
+}
+
+py::array refocus(const py::object& of_python, double focus, double pupil, std::optional<int> width,
+                  const std::string& quality, int threads, const py::object& progress)
+{
+    const Frame frame = frame_with_geometry(of_python);
+    const DepthQuality chosen = quality_named(quality);
+    return array_of(result_of_long(progress, [&](const Progress& report) {
+        const DepthInput input = depth_input_of(frame, threads, piece_of(report, 0, 3));
+        const Relief relief = measured_relief(input, chosen, threads, piece_of(report, 1, 3));
+        if (!(focus > -relief.distance()) || !(pupil >= 0))
+            throw std::invalid_argument("focus and pupil: a depth before the eye and a diameter "
+                                        "are expected");
+        constexpr double least_longer_side = 500; // pixels, as of integral depth
+        Refocus lens;
+        lens.focus = focus;
+        lens.pupil = pupil;
+        lens.width = width.value_or(
+            int(std::lround(std::max(least_longer_side, input.width / relief.pixel()))));
+        lens.height = std::max(1, int(std::lround(lens.width * input.height / input.width)));
+        return refocused(relief, lens, input.form, threads, piece_of(report, 2, 3)).image;
+    }));
+}
+
+} // namespace
+
+void declare_depth(py::module_& module)
+{
+    module.def("depth", depth);
+    module.def("refocus", refocus);
+}
+
+} // namespace integral

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Figures of sheets, known sheets and fits, for Python.
+#include "integral/frame/geometry_json.h"
+#include "integral/python/arrays.h"
+#include "integral/python/calls.h"
+#include "integral/python/rooms.h"
+#include "integral/sheet/known_sheets.h"
+#include "integral/sheet/scene_fit.h"
+#include "integral/sheet/sheet_report.h"
+
+#include <pybind11/stl.h>
+
+namespace integral {
+namespace {
+
+/// (sheet_distance, parallax, share of the distances within the allowed depth).
+py::tuple fit(const std::vector<double>& distances, const py::object& document, double budgets,
+              std::optional<double> sheet_distance, std::optional<double> parallax)
+{
+    const FrameMetadata geometry = frame_metadata_from_json(text_of(document));
+    const auto budget = seen_budget(geometry);
+    if (!budget)
+        throw std::invalid_argument("this sheet has no depth budget: its lenses are too wide for "
+                                    "their thickness");
+    for (const double distance : distances)
+        if (!(distance > 0))
+            throw std::invalid_argument("distances must be greater than 0; math.inf is allowed");
+    const auto ends = depth_ends(distances);
+    if (!ends)
+        throw std::invalid_argument("no distance is finite; give those of surfaces");
+    if (!(budgets >= 0.1 && budgets <= 100))
+        throw std::invalid_argument("budgets must be from 0.1 to 100");
+    const double beta = budgets * *budget / viewer_distance(geometry);
+    const SceneFit found = fit_to_budget(*ends, {beta, sheet_distance, parallax});
+    return py::make_tuple(found.sheet_distance, found.parallax,
+                          part_within(found, distances, beta));
+}
+
+} // namespace
+
+void declare_sheet(py::module_& module)
+{
+    module.def("sheet_figures", [](const py::object& document, std::vector<double> depths,
+                                   double pupil) {
+        Viewer viewer;
+        viewer.pupil = pupil;
+        viewer.depths = std::move(depths);
+        return python_of(sheet_report_json(frame_metadata_from_json(text_of(document)), viewer));
+    });
+    module.def("known_sheets", [] {
+        py::dict sheets;
+        for (const KnownSheet& known : known_sheets())
+            sheets[known.name] = python_of(json_of(known.sheet));
+        return sheets;
+    });
+    module.def("fit", fit);
+}
+
+} // namespace integral

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Figures of pictures and sheets; depth measured in frames."""
+from typing import Any, Dict, NamedTuple, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _integral
+from .frame import Frame, Progress
+from .geometry import Aperture, Document, Film, LensSheet, _document, _sheet
+
+
+class Depth(NamedTuple):
+    """What a frame's centre eye sees, with its depth: arrays of one height and width.
+
+    depth_mm    [y, x] behind the sheet, negative in front; NaN where nothing is known
+    disparity   [y, x] pixels between neighbouring views, of which 0 is the sheet and more is nearer
+    confidence  [y, x] 0 to 1
+    colour      [y, x, 3] in the frame's encoding, 1 is full scale
+    pixel_mm    the side of a pixel, on the sheet
+    """
+
+    depth_mm: np.ndarray
+    disparity: np.ndarray
+    confidence: np.ndarray
+    colour: np.ndarray
+    pixel_mm: float
+
+
+class Fit(NamedTuple):
+    """Where a sheet stands in a scene.
+
+    sheet_distance  from the scene's eye, in the unit of the distances
+    parallax        mm that the scene's eye moves for each mm of the viewer's
+    share           of the distances, that is seen within the allowed depth
+    """
+
+    sheet_distance: float
+    parallax: float
+    share: float
+
+
+def compare(a: Union[Frame, Any], b: Union[Frame, Any], flip: bool = False) -> Document:
+    """The figures of `integral compare` for two frames, or arrays [y, x, channel] in sRGB, of one
+    size: a dict with "rmse", "psnr" (None for equal pictures), "ssim", "worst_micro_image" and more,
+    in the output encoding, where 1 is full scale. `flip` adds FLIP, what a person perceives."""
+    return _integral.compare(_frame(a), _frame(b), flip)
+
+
+def difference(a: Union[Frame, Any], b: Union[Frame, Any], gain: float = 1) -> np.ndarray:
+    """|a - b| of each channel as `compare` takes them, times `gain`: an array [y, x, 3]."""
+    return _integral.difference(_frame(a), _frame(b), gain)
+
+
+def _frame(picture: Union[Frame, Any]) -> Frame:
+    return picture if isinstance(picture, Frame) else Frame(picture)
+
+
+def depth(frame: Frame, quality: str = "good", width: int = 0, *, threads: int = 0,
+          progress: Progress = None) -> Depth:
+    """Measures the depth of what a frame shows, by the multibaseline method of `integral depth`.
+
+    quality  "draft", "good" or "best"
+    width    pixels of the map across; 0: about a pixel for each lens
+    """
+    return Depth(*_integral.depth(frame, quality, width, threads, progress))
+
+
+def refocus(frame: Frame, focus: float, pupil: float, width: Optional[int] = None,
+            quality: str = "good", *, threads: int = 0, progress: Progress = None) -> np.ndarray:
+    """The picture [y, x, channel] that a lens takes of what a frame shows, by its measured depth.
+
+    focus  depth in focus, mm behind the sheet (negative: in front)
+    pupil  diameter of the lens, mm, before the aperture's centre
+    width  pixels across. None: as many as the frame's views have, at least 500
+    """
+    return _integral.refocus(frame, focus, pupil, width, quality, threads, progress)
+
+
+def sheet_figures(sheet: LensSheet, film: Film, aperture: Aperture,
+                  depths: Sequence[float] = (), pupil: float = 5) -> Document:
+    """The figures of `integral sheet --json` before anything is rendered: a dict with the geometry
+    and "figures", "depths" (a row for each of `depths`, mm from the sheet) and "sampling".
+
+    pupil  diameter of the eye's pupil, mm
+    """
+    return _integral.sheet_figures(_document(sheet, film, aperture), list(depths), pupil)
+
+
+def known_sheets() -> Dict[str, LensSheet]:
+    """The lens sheets with names: the thesis's and common commercial ones."""
+    return {name: _sheet({"sheet": fields}) for name, fields in _integral.known_sheets().items()}
+
+
+def fit(distances: Any, sheet: LensSheet, film: Film, aperture: Aperture, budgets: float = 2,
+        sheet_distance: Optional[float] = None, parallax: Optional[float] = None) -> Fit:
+    """Where a sheet stands in a scene so that nine tenths of a picture lie within `budgets` depth
+    budgets of it, as Integral_Fit chooses it.
+
+    distances       of the picture's surfaces from the plane of the scene's eye, in any unit;
+                    math.inf where there is no surface
+    sheet_distance, parallax  fixed if given; only the other is chosen
+    """
+    flat = np.ravel(np.asarray(distances, dtype=float)).tolist()
+    return Fit(*_integral.fit(flat, _document(sheet, film, aperture), budgets, sheet_distance,
+                              parallax))
