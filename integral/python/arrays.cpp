@@ -126,6 +126,17 @@ Encoding encoding_from(const py::object& encoding)
                                 ": \"srgb\", \"linear\" or a gamma from 0.01 to 100 is expected");
 }
 
+Fit fit_from(const std::string& fit)
+{
+    if (fit == "contain")
+        return Fit::contain;
+    if (fit == "cover")
+        return Fit::cover;
+    if (fit == "stretch")
+        return Fit::stretch;
+    throw std::invalid_argument("fit " + fit + ": contain, cover or stretch is expected");
+}
+
 py::object python_of(Encoding encoding)
 {
     if (encoding.kind == Encoding::Kind::power)

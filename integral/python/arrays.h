@@ -5,6 +5,7 @@
 
 #include "integral/base/json.h"
 #include "integral/frame/frame.h"
+#include "integral/frame/picture_fit.h"
 
 #include <pybind11/numpy.h>
 
@@ -48,6 +49,9 @@ py::array array_of(const std::vector<Image>& pictures, std::vector<py::ssize_t> 
 /// "srgb", "linear", or the gamma of a power law as a number. Throws std::invalid_argument.
 Encoding encoding_from(const py::object& encoding);
 py::object python_of(Encoding encoding);
+
+/// "contain", "cover" or "stretch". Throws std::invalid_argument.
+Fit fit_from(const std::string& fit);
 
 /// A JSON document as Python's dicts, lists and numbers, and back.
 py::object python_of(const Json& document);

@@ -26,9 +26,10 @@ PanelImageOptions options_of(const std::string& panel, int threads, const Progre
 /// column, y, x, channel], or None for those of the frame.
 py::tuple interlace_for(const py::object& of_python, const py::object& views,
                         const py::object& encoding, const std::string& panel,
-                        std::optional<std::pair<int, int>> grid, int threads,
-                        const py::object& progress)
+                        std::optional<std::pair<int, int>> grid, const std::string& fit,
+                        int threads, const py::object& progress)
 {
+    const Fit chosen = fit_from(fit);
     const Panel found = find_panel(panel);
     std::optional<Frame> frame;
     ViewInput input;
@@ -45,6 +46,7 @@ py::tuple interlace_for(const py::object& of_python, const py::object& views,
     std::vector<std::string> notices;
     Frame image = result_of_long(progress, [&](const Progress& report) {
         PanelImageOptions options = options_of(panel, threads, report, notices);
+        options.fit = chosen;
         if (grid)
             options.views = ViewGrid{grid->first, grid->second};
         PanelImages images(found, options);

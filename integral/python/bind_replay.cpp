@@ -22,6 +22,7 @@ struct ReplayWords {
     std::optional<std::array<int, 2>> size;
     std::optional<std::array<double, 4>> part;
     std::optional<int> samples;
+    Fit fit = Fit::contain;
     bool as_seen = false, raw_draft = false;
 };
 
@@ -47,7 +48,7 @@ View view_of(const ReplayWords& words, View view, const FrameMetadata& metadata)
     view.height = (*words.size)[1];
     if (view.width < 1 || view.height < 1)
         throw std::invalid_argument("the size must be 1 pixel or more each way");
-    fit_part_to_size(view, metadata, Fit::contain);
+    fit_part_to_size(view, metadata, words.fit);
     return view;
 }
 
@@ -79,7 +80,7 @@ py::array replay_frame(const py::object& of_python, const ReplayWords& words, co
 void declare_replay(py::module_& module)
 {
     module.def("replay", [](const py::object& frame, std::optional<std::array<double, 3>> eye,
-                            std::optional<std::array<int, 2>> size,
+                            std::optional<std::array<int, 2>> size, const std::string& fit,
                             std::optional<std::array<double, 4>> part, std::optional<int> samples,
                             double pupil, double focus, double film_gap, double lens_blur,
                             const std::string& lens_model, bool as_seen, bool raw_draft,
@@ -100,8 +101,8 @@ void declare_replay(py::module_& module)
                                         "expected");
         if (samples && (*samples < 1 || *samples > 64))
             throw std::invalid_argument("samples: a whole number from 1 to 64 is expected");
-        return replay_frame(frame, {eye, size, part, samples, as_seen, raw_draft}, view, threads,
-                            progress);
+        return replay_frame(frame, {eye, size, part, samples, fit_from(fit), as_seen, raw_draft},
+                            view, threads, progress);
     });
 }
 

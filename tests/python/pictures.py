@@ -15,7 +15,12 @@ def test_replay_is_that_of_the_command():
     picture = integral.replay(frame, eye=(20, -3, 250), size=(120, 72))
     same(picture, integral.read("eye.png").image)
     same(integral.replay(frame, (20, -3, 250), (120, 72), threads=1), picture)
-    same(integral.replay(integral.read("squares.png"), size=(90, 60), as_seen=True),
+    squares = integral.read("squares.png")
+    for fit, is_bar in (("contain", True), ("cover", False), ("stretch", False)):
+        top = integral.replay(squares, size=(90, 90), fit=fit)[:11]
+        assert (top[..., :2] == 0).all() == is_bar, fit
+    raises(ValueError, "fit crop: contain, cover or stretch", integral.replay, squares, fit="crop")
+    same(integral.replay(squares, size=(90, 60), as_seen=True),
          integral.read("seen.png").image)
 
 

@@ -11,7 +11,7 @@ from .geometry import Aperture, Document, Film, LensSheet, document
 
 
 def replay(frame: Frame, eye: Optional[Tuple[float, float, float]] = None,
-           size: Optional[Tuple[int, int]] = None, *,
+           size: Optional[Tuple[int, int]] = None, *, fit: str = "contain",
            part: Optional[Tuple[float, float, float, float]] = None, samples: Optional[int] = None,
            pupil: float = 0, focus: float = 0, film_gap: float = 0, lens_blur: float = 0,
            lens_model: str = "extended_pinhole", as_seen: bool = False, raw_draft: bool = False,
@@ -22,8 +22,9 @@ def replay(frame: Frame, eye: Optional[Tuple[float, float, float]] = None,
 
     eye         (x, y, distance) in mm: to the right of the sheet's centre, above it, and in front of
                 it (> 0). None: the aperture's centre, which sees the scene's perspective picture
-    size        (width, height) in pixels; another shape than the sheet's gets bars. None: 1000 on
-                the longer side
+    size        (width, height) in pixels; None: 1000 on the longer side
+    fit         of the sheet, where the size has another shape: "contain" (with bars), "cover" or
+                "stretch"
     part        (x, y, width, height) in mm: only this part of the sheet, by its middle and size
     samples     samples x samples in each pixel, 1 to 64. None: 3; with a pupil or blur 8
     pupil       diameter of the eye's pupil, mm; 0: every depth is sharp
@@ -34,7 +35,7 @@ def replay(frame: Frame, eye: Optional[Tuple[float, float, float]] = None,
     as_seen     a person's pupil, the spread of printed dots and the lenses' blur, where not given
     raw_draft   show a draft's own pixels, not the finer pixels of the print
     """
-    return _integral.replay(frame, eye, size, part, samples, pupil, focus, film_gap, lens_blur,
+    return _integral.replay(frame, eye, size, fit, part, samples, pupil, focus, film_gap, lens_blur,
                             lens_model, as_seen, raw_draft, threads, progress)
 
 
@@ -64,17 +65,19 @@ def frame_from_views(views: Any, sheet: LensSheet, film: Film, aperture: Apertur
 
 
 def interlace(pictures: Union[Frame, Any], panel: str, grid: Optional[Tuple[int, int]] = None, *,
-              encoding: Encoding = "srgb", threads: int = 0, progress: Progress = None) -> Frame:
+              fit: str = "contain", encoding: Encoding = "srgb", threads: int = 0, progress: Progress = None) -> Frame:
     """The image that a light-field panel is sent, as `integral lcd` makes it.
 
     pictures  a frame, or views of eyes [row, column, y, x, channel]
     panel     a name of `panel_names()`, or the path of a panel's description or calibration (.json)
     grid      numbers of views (columns, rows) to take of a frame. None: the panel's pixels behind a
               lens, rounded. A frame that was rendered for the panel is passed through
+    fit       of pictures whose shape is not the panel's: "contain" (with bars), "cover" or "stretch"
     encoding  of views
     """
     frame, given = (pictures, None) if isinstance(pictures, Frame) else (None, np.asarray(pictures))
-    made, notices = _integral.interlace(frame, given, encoding, panel, grid, threads, progress)
+    made, notices = _integral.interlace(frame, given, encoding, panel, grid, fit, threads,
+                                         progress)
     for notice in notices:
         warnings.warn(notice, stacklevel=2)
     return Frame._of(*made)
