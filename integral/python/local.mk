@@ -67,7 +67,7 @@ uninstall-python:
 	rm -rf '$(DESTDIR)$(pythondir)/integral'
 else
 python python-wheel install-python:
-	@echo 'the Python module needs $(PYTHON_MISSING); install it, then run ./configure' >&2; exit 1
+	@echo "the Python module cannot be built; $(PYTHON_ADVICE)" >&2; exit 1
 uninstall-python:
 endif
 .PHONY: python python-wheel install-python uninstall-python
