@@ -56,7 +56,7 @@ def test_views_are_those_of_the_command():
     views = integral.views(frame)
     same(views, np.ascontiguousarray(tiles(integral.read(glob.glob("parallel*")[0]).image, 15, 1)))
     # A view is the light field's direction: from the far left, the pixel at the right.
-    field = frame.light_field()
+    field = frame.lightfield()
     same(np.ascontiguousarray(field.samples[0, ::-1, :, 2]),  # the film's first lens is cut
          np.ascontiguousarray(views[0, :, :, 3]))
     eyes = integral.views(integral.read("squares.png"), (3, 2), eyes=True, size=(60, 45))

@@ -99,7 +99,7 @@ def test_cameras_pickle_and_refuse():
 
 def light_field(name):
     frame = integral.read(name + ".png")
-    return frame, frame.light_field()
+    return frame, frame.lightfield()
 
 
 def test_a_light_field_has_the_colour_that_its_rays_meet():
@@ -142,9 +142,9 @@ def test_axes_of_a_light_field():
     near(field.u_mm, field.aperture_mm[5, :, 0], 1e-12)
     near(field.v_mm, field.aperture_mm[:, 5, 1], 1e-12)
     near(field.poles_mm[2, :, 0], field.s_mm, 1e-12)
-    coarse = frame.light_field((4, 3))
+    coarse = frame.lightfield((4, 3))
     assert coarse.samples.shape[:2] == (3, 4) and not coarse.is_view
-    raises(ValueError, "must be 1 or more", frame.light_field, (0, 3))
+    raises(ValueError, "must be 1 or more", frame.lightfield, (0, 3))
 
 
 def test_hexagonal_rows_are_shifted_by_half_a_pitch():

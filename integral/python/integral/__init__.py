@@ -4,7 +4,7 @@
     import integral
     frame = integral.read("frame.png")              # of povray-integral, with its geometry
     picture = integral.replay(frame, eye=(30, 0, 300))
-    field = frame.light_field()                     # field.samples[v, u, t, s, channel]
+    field = frame.lightfield()                      # field.samples[v, u, t, s, channel]
     rays = frame.camera().rays([[0.5, 0.5]])        # of the first pixel
     depth_mm = integral.depth(frame).depth_mm
 

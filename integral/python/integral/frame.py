@@ -98,7 +98,7 @@ class Frame:
         """The image in linear light: float32 [y, x, channel], not premultiplied, 1 is full scale."""
         return _integral.linear(self)
 
-    def light_field(self, directions: Optional[Tuple[int, int]] = None, threads: int = 0,
+    def lightfield(self, directions: Optional[Tuple[int, int]] = None, threads: int = 0,
                     progress: Progress = None) -> LightField:
         """The frame as L[v, u, t, s, channel], with the axes in mm: see LightField.
 
