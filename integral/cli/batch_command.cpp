@@ -120,10 +120,10 @@ RunOptions run_options(const BatchOptions& o, const Manifest& manifest)
 void check_cluster_options(const BatchOptions& o)
 {
     if (o.cancel && (o.slurm || o.follow))
-        throw UsageError("--cancel goes alone");
+        throw UsageError("--cancel does not work with --slurm or --follow; leave them out");
     if (o.dry_run && (o.slurm || o.follow || o.cancel))
-        throw UsageError("--dry-run goes without --slurm, --follow and --cancel; what it says to "
-                         "do is what --slurm submits");
+        throw UsageError("--dry-run does not work with --slurm, --follow and --cancel; it prints "
+                         "what --slurm submits");
     if (o.slurm)
         return;
     if (o.cpus)

@@ -30,7 +30,8 @@ void declare(options::options_description& all, CombineOptions& o)
     add(all, "output-depth", o.output_depth, "FILE.exr",
         "the merged frame's depth frame, so that more can be combined with it");
     add(all, "json", o.json, "print the figures as JSON");
-    add(all, "bits", o.bits, "N", "8 or 16 for PNG and TIFF (default: the most of a frame)");
+    add(all, "bits", o.bits, "N",
+        "8 or 16 for PNG and TIFF (default: the highest bit depth of the frames)");
     declare(all, o.threads);
 }
 

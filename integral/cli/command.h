@@ -133,7 +133,7 @@ void read_words(const options::options_description& described, const Arguments& 
 /// many inputs.
 bool help_is_given(const Command& command, const CommonOptions& read);
 
-/// The options in the help of a command with that struct.
+/// Descriptions of the options whose values are read into the struct Options, for a command's help.
 template <class Options> options::options_description described()
 {
     Options unused; // its fields are named by the descriptions, but never filled

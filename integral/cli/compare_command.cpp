@@ -62,7 +62,7 @@ int run(const CompareOptions& o)
                     {"approve", o.approve},
                     {"summary", o.summary},
                     {"threads", o.threads.given}},
-                   "goes with --suite FOLDER");
+                   "is for --suite FOLDER");
     const Limits limits = limits_of(o);
     if (o.inputs.size() != 2)
         throw UsageError("an input is missing: A and B are compared, or folders with --suite; see "

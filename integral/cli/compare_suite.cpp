@@ -62,7 +62,7 @@ void check_suite_options(const CompareOptions& o)
                          " do not go together: its page shows the outcome, and references are "
                          "replaced there");
     if (!o.approve)
-        throw_if_given({{"port", o.port}, {"no-browser", o.no_browser}}, "goes with --approve");
+        throw_if_given({{"port", o.port}, {"no-browser", o.no_browser}}, "is for --approve");
     if ((output == "-") + (o.junit == "-") + (o.summary == "-") > 1)
         throw UsageError("only one of -o, --junit and --summary goes to standard output");
 }

@@ -8,8 +8,9 @@ namespace integral {
 void declare(options::options_description& all, FitOptions& fit)
 {
     add(all, "fit", fit.given, "HOW",
-        "a picture of another shape: contain, whole with black bars (default); cover, filling, with two "
-        "sides cut off; or stretch. Nothing is done up to 1%");
+        "a picture of another shape: contain, whole with black bars (default); cover, filling, "
+        "with two "
+        "sides cut off; or stretch. Shapes that differ by at most 1% are stretched");
 }
 
 Fit FitOptions::value() const

@@ -72,7 +72,7 @@ void change_film(const FilmOptions& given, Film& film);
 /// The same for a command whose --print WxH may give the film's size in mm instead of --size.
 void change_film(const FilmOptions& given, const std::optional<std::string>& print, Film& film);
 
-/// An option's WxH in mm, of a page or a print. Throws UsageError.
+/// Parses an option's WxH: the size of a page or a print, mm. Throws UsageError.
 Vec2 parse_paper_size(const char* option, const std::string& text);
 
 /// Sets the film's pixel counts from its pixel pitch and an option's WxH in mm. Throws UsageError.

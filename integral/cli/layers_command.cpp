@@ -34,11 +34,13 @@ void declare(options::options_description& all, LayersOptions& o)
         "the frame's depth frame, for integral combine: at each pixel the distance of the nearest "
         "layer that is opaque by half or more; named FRAME-depth.exr, combine finds it by itself");
     add(all, "transparent", o.transparent,
-        "keep the frame transparent where the layers are, in place of black behind them");
+        "keep alpha: the frame is transparent where all layers are; without it they stand on "
+        "black");
     add(all, "json", o.json, "print the figures as JSON");
     add(all, "fit", o.fit.given, "HOW",
         "a layer without a size, of another shape than the film: contain, whole with transparent "
-        "bars (default); cover, filling the film and beyond; or stretch. Nothing is done up to 1%");
+        "bars (default); cover, filling the film and beyond; or stretch. Shapes that differ by at "
+        "most 1% are stretched");
     declare(all, o.sheet);
     declare(all, o.film);
     add(all, "print", o.print, "WxH",
@@ -46,7 +48,8 @@ void declare(options::options_description& all, LayersOptions& o)
         "first picture's shape)");
     declare(all, o.aperture);
     declare_start_geometry(all, o.start);
-    add(all, "bits", o.bits, "N", "8 or 16 for PNG and TIFF (default: the most of a picture)");
+    add(all, "bits", o.bits, "N",
+        "8 or 16 for PNG and TIFF (default: the highest bit depth of the pictures)");
     declare(all, o.threads);
 }
 
@@ -93,7 +96,7 @@ PictureLayer layer_of(const std::string& given)
     if (layer.path.empty() || !value)
         throw UsageError(given + ": " + (distance.empty() ? "nothing" : distance) +
                          " is not a distance in mm; " + layer_form + " is expected");
-    if (!(*value <= farthest_layer))
+    if (!(*value <= max_layer_distance))
         throw UsageError(given + ": " + distance + " mm is too far; at most 1e6 is possible");
     layer.distance = *value;
     while (comma < given.size()) {

@@ -58,7 +58,7 @@ void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
 void use_panel(const LcdOptions& o, const LcdRequest& lcd)
 {
     if (o.play || o.list_displays)
-        throw UsageError("--panel does not go with --play or --list-displays: make the images "
+        throw UsageError("--panel does not work with --play or --list-displays: make the images "
                          "with -o, then play them");
     throw_if_given({{"fps", o.fps}, {"loop", o.loop}}, "is for --play");
     if (o.seconds && !o.show)
@@ -79,7 +79,7 @@ void use_panel(const LcdOptions& o, const LcdRequest& lcd)
 void check_show_options(const LcdOptions& o)
 {
     if (o.list_displays && (o.play || o.show || !o.inputs.empty()))
-        throw UsageError("--list-displays stands alone");
+        throw UsageError("--list-displays takes no other option");
     if (!o.play)
         throw_if_given({{"fps", o.fps}, {"loop", o.loop}}, "is for --play");
     if (!o.play && !o.show && o.seconds)
@@ -124,7 +124,7 @@ int run(const LcdOptions& o)
     const LcdRequest request = lcd_request(o);
     if (o.list) {
         if (!o.inputs.empty() || o.panel)
-            throw UsageError("--list stands alone");
+            throw UsageError("--list takes no other option");
         print(o.json, panels_json(), panels_text());
     } else if (o.panel) {
         use_panel(o, request);

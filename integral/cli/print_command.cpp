@@ -97,7 +97,7 @@ int print_chart(const PrintOptions& o)
                     {"intent", o.intent}},
                    "is for frames, not for charts");
     if (o.even && o.printer)
-        throw UsageError("--printer does not go with --even");
+        throw UsageError("--printer does not work with --even");
     if (!o.inputs.empty())
         throw UsageError("a chart takes no FRAME; --sheet FRAME gives it a frame's geometry");
     if (!o.printer)

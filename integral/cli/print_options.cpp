@@ -100,7 +100,7 @@ void declare(options::options_description& all, PrintOptions& o)
         "print it, to a queue of CUPS; ? lists them. -o is then not needed");
     add(all, "copies", o.copies, "N", "how many, 1 to 1000 (default 1)");
     add(all, "medium", o.medium, "NAME",
-        "the printer's name of the paper (default: by the page's size)");
+        "the printer's name for the paper (default: chosen by the page's size)");
     add(all, "printer-option", o.printer_options, "NAME=VALUE",
         "of the printer's driver, as StpLaminate=Matte; may be given again");
     declare_frame_geometry(all, o.start);

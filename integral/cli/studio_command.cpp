@@ -36,7 +36,7 @@ PlacementSettings settings_of(const StudioOptions& o)
 {
     PlacementSettings settings = first_settings();
     if (o.panel) {
-        const char* const reason = "does not go with --panel";
+        const char* const reason = "does not work with --panel; leave it out";
         if (const char* const given = first_given(o.sheet))
             throw UsageError(std::string("--") + given + " " + reason);
         throw_if_given(
@@ -111,7 +111,7 @@ renders a draft of the print, and the page shows what an eye sees of it. Save wr
 settings file that povray-integral renders.
 
 The options describe the sheet, printer and print, or the panel, to begin with (without
-them 60 lenses per inch); the page's list has the known sheets and panels besides. Words
+them 60 lenses per inch); the page also lists the known sheets and panels. Words
 after the scene are for povray-integral, as +W900 +H600, which set the picture's shape.
 The page notices when the scene's files change. Only this machine can reach the page.
 Ctrl+C ends the command.

@@ -89,12 +89,12 @@ int make_views(const ViewsOptions& o, const std::string& output, bool animated)
 void check_options(const ViewsOptions& o, bool animated)
 {
     if (o.files && (o.to_frame || animated))
-        throw UsageError(std::string("--files does not go with ") +
+        throw UsageError(std::string("--files does not work with ") +
                          (o.to_frame ? "--to-frame" : "an animation"));
     if (o.eyes && !o.to_frame && !o.views)
         throw UsageError("--eyes needs --views CxR, how many eyes");
     if (o.upright && (o.to_frame || o.eyes))
-        throw UsageError(std::string("--upright does not go with ") +
+        throw UsageError(std::string("--upright does not work with ") +
                          (o.to_frame ? "--to-frame" : "--eyes, whose views are upright"));
     if (o.size && (o.to_frame || (!o.eyes && !animated && !o.upright && !o.rgbd)))
         throw UsageError(

@@ -182,7 +182,7 @@ Mesh mesh_of(const WireframeOptions& o, const FrameMetadata& geometry)
     const MeshPlace at = place_of(o);
     if (o.in_scene && (o.fit || o.scale || o.turn || o.move))
         throw UsageError("--in-scene takes the mesh as it stands in the scene; --fit, --scale, "
-                         "--turn and --move do not go with it");
+                         "--turn and --move do not work with it");
     if (o.in_scene && !geometry.placement)
         throw UsageError("--in-scene needs --sheet FRAME, a frame that povray-integral has "
                          "rendered");

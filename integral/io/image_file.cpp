@@ -154,10 +154,8 @@ void FrameReader::require_metadata() const
 void FrameReader::refuse_projection() const
 {
     if (source_->frame.metadata && source_->frame.metadata->projection)
-        throw_input(
-            source_->picture.path,
-            "it is a frame for replay through a projection lens, of which this command knows "
-            "nothing; integral replay looks through it");
+        throw_input(source_->picture.path,
+                    "frames for a projection lens are not supported here; use integral replay");
 }
 
 void FrameReader::read(Image& band) { source_->picture.read(band); }

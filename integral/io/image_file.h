@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Reads and writes frames and pictures, with their metadata, as PNG (8 or 16 bit), OpenEXR or TIFF.
+// Reads frames and pictures (PNG, OpenEXR, TIFF, JPEG) and writes them, with their metadata, as PNG
+// (8 or 16 bit), OpenEXR or TIFF.
 #ifndef INTEGRAL_IO_IMAGE_FILE_H
 #define INTEGRAL_IO_IMAGE_FILE_H
 

@@ -178,14 +178,14 @@ std::vector<std::string> find_errors(const CameraParameters& p)
         errors.push_back("pixel_samples times beam_samples are more than 1048576 rays a pixel: no "
                          "computer has the time for that");
     if (p.model == LensModel::hybrid && p.beam_samples)
-        errors.push_back("beam_samples does not go with lens_model hybrid, which has 3 or 5 rays "
+        errors.push_back("beam_samples does not work with lens_model hybrid, which has 3 or 5 rays "
                          "of its own; lens_model full has as many as beam_samples says");
     if (p.projection_lens && p.sheet.arrangement == Arrangement::lenticular &&
         p.projection_lens->columns * p.projection_lens->rows > 1)
         errors.push_back("several macro-lenses of projection_lens need square or hexagonal lenses: "
                          "a lenticular sheet's light has no one place at which it meets them");
     if (p.projection_lens && p.pseudoscopic)
-        errors.push_back("pseudoscopic does not go with projection_lens, whose image is turned "
+        errors.push_back("pseudoscopic does not work with projection_lens, whose image is turned "
                          "upside down and in depth by the lens itself");
     if (p.move_eye && !p.viewing_distance)
         errors.push_back("move_eye moves the scene's eye to viewing_distance: add viewing_distance "
@@ -196,8 +196,9 @@ std::vector<std::string> find_errors(const CameraParameters& p)
     if (p.fit && p.sheet_distance && p.parallax)
         errors.push_back("fit has nothing to choose: leave out sheet_distance or parallax");
     if (p.display_prefilter && refracts_at_surface(p.model))
-        errors.push_back("display_prefilter is a filter of the ideal beam: it goes with lens_model "
-                         "extended_pinhole or pinhole");
+        errors.push_back(
+            "display_prefilter is a filter of the ideal beam: it works with lens_model "
+            "extended_pinhole or pinhole");
     if (!p.capture_aperture && !filling_aperture(modelled_sheet(p.sheet, p.model), 1))
         errors.push_back(
             "no aperture, however wide, fills these lenses (they are too wide for their thickness "

@@ -5,17 +5,17 @@ namespace integral {
 
 std::optional<FilmInSight> film_in_sight(const IntegralCamera& camera, Vec3 origin, Vec3 direction)
 {
-    constexpr double farthest = 1e9; // pitches, as in SheetOptics::map
+    constexpr double max_distance = 1e9; // pitches, as in SheetOptics::map
     Placement of_directions = camera.placement;
     of_directions.origin = {};
     const Vec3 start = sheet_from_scene(camera.placement, origin),
                along = sheet_from_scene(of_directions, direction);
     if (along.z == 0)
         return std::nullopt;
-    // As the viewer sees the line: from where it meets the sheet.
+    // The line as the viewer sees it, from where it meets the sheet.
     const Line seen = image_of(camera.relief, Line{start, along});
     const SheetOptics& optics = camera.optics;
-    const double limit = farthest * optics.lattice().pitch();
+    const double limit = max_distance * optics.lattice().pitch();
     if (!(length(seen.origin) < limit))
         return std::nullopt;
     FilmInSight found;

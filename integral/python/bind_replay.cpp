@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What eyes see of frames, for Python.
+// Pictures that eyes see of frames, for Python.
 #include "integral/base/interrupt.h"
 #include "integral/frame/names.h"
 #include "integral/python/arrays.h"

@@ -37,9 +37,9 @@ struct SamplesTaken {
 
 /// Number of samples to try next in a pixel of a reconstructed frame; 0: none is worth its time.
 /// `own_part`: weight (0 to 1) of the mean of the pixel's own samples; the rest of the weight is
-/// that of other pixels' samples. `squared_error`: of that mean's difference from other pixels'
-/// samples, summed over the components. `of_many`: from 0, where few pixels of a block need extra
-/// samples, to 1, where many do. Returns 0 with method 1.
+/// that of other pixels' samples. `squared_error`: squared difference between that mean and
+/// the other pixels' samples, summed over the components. `of_many`: from 0, where few pixels of a
+/// block need extra samples, to 1, where many do. Returns 0 with method 1.
 int further_samples(const RefinementRule& rule, const SamplesTaken& samples, double squared_error,
                     double own_part, double of_many);
 

@@ -15,7 +15,7 @@ class Comparison {
   shown = "line";
   at = 0.5;      // the line's place, as a part of the view's width
   timer = 0;     // of blinking
-  second = false; // which is shown while blinking
+  shows_result = false; // whether blinking shows the result at the moment
 
   // `redraw` draws the page anew; `visit` moves the eye to a difference ({ eye, place }) and marks it.
   constructor(start, redraw, visit) {
@@ -59,9 +59,9 @@ class Comparison {
   show(show) {
     clearInterval(this.timer);
     this.shown = show;
-    this.second = false;
+    this.shows_result = false;
     if (show === "blink")
-      this.timer = setInterval(() => { this.second = !this.second; this.redraw(); }, 500);
+      this.timer = setInterval(() => { this.shows_result = !this.shows_result; this.redraw(); }, 500);
     for (const button of this.buttons)
       button.setAttribute("aria-pressed", String(button.dataset.show === show));
     element("split-slider").hidden = show !== "line";
@@ -91,7 +91,7 @@ class Comparison {
     } else if (this.shown === "difference") {
       drawing.draw_difference(...views, 2 ** this.gain.value);
     } else {
-      whole(this.shown === "result" || this.second ? 1 : 0);
+      whole(this.shown === "result" || this.shows_result ? 1 : 0);
     }
   }
 }

@@ -59,8 +59,9 @@ function focus_before_eye() {
   state.focus = Math.max(state.focus, -0.99 * state.eye[2]);
 }
 
-// Samples across a pixel: the fragment's number, or the page's data's as long as the pupil and blur
-// are on or off as in the first view; else as for the command, more with a pupil or blur.
+// Samples across a pixel: the fragment's value, if it has one. Otherwise that of the page's data, as
+// long as scattering (a pupil or blur) is on or off as in the first view. Otherwise the command's
+// default: 3, or 8 with scattering.
 function samples() {
   const scattered = (view) => view.pupil > 0 || view.blur > 0;
   return state.samples || (scattered(state) === scattered(start) ? start.samples : scattered(state) ? 8 : 3);
@@ -212,7 +213,7 @@ function show_geometry() {
     lens.push(`light from a spot ${mm(state.blur)} wide`);
   if (start.model === "pinhole")
     lens.push("taken as pinholes");
-  const both = (x, y, unit) => (same ? figures(x) : `${figures(x)} × ${figures(y)}`) + unit; // of across and down
+  const both = (x, y, unit) => (same ? figures(x) : `${figures(x)} × ${figures(y)}`) + unit; // one value, or two, across and down
   const film_words = [`${film.width} × ${film.height} pixels of ${both(dx, dy, " mm")} (${both(25.4 / dx, 25.4 / dy, " dpi")})`,
                       `${figures(film_size[0])} × ${mm(film_size[1])}`];
   if (film.subpixels)

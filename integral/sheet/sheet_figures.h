@@ -83,9 +83,9 @@ struct WholePicture {
     std::optional<double> farthest; ///< mm; empty: no limit
 };
 
-/// For a picture `width` wide that is made for viewing from `distance`, with a viewing zone `zone`
-/// wide at that distance; all > 0, mm. The line from the picture's edge to the eye, prolonged to
-/// `distance`, has to meet the zone there.
+/// Range of the eye's distances from which a whole picture is seen: `width` wide, made for viewing
+/// from `distance`, where the viewing zone is `zone` wide; all > 0, mm. The line from the picture's
+/// edge to the eye, prolonged to `distance`, has to meet the zone there.
 WholePicture whole_picture(double distance, double zone, double width);
 
 } // namespace integral

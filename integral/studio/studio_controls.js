@@ -91,7 +91,7 @@ function show_badge() {
     : "Live" + working;
 }
 
-// What is made, in words.
+// Name of what is rendered.
 function product() { return state.sheet?.panel ? "panel's image" : "print"; }
 
 function show_print_button() {

@@ -10,7 +10,7 @@ const figures_of = (v, digits = 4) => String(Number(v.toPrecision(digits)));
 const base = location.pathname.replace(/\/$/, "");
 const still = 300; // ms without a change, after which the exact draft is requested
 
-// The user's settings. The sheet may be a panel's: then the size, dpi and distance of a print wait. `eye`: x and y as parts of the viewing zone's half width, and the distance as
+// The user's settings. While a panel is chosen, the print's size, dpi and distance are kept and not used. `eye`: x and y as parts of the viewing zone's half width, and the distance as
 // a multiple of the viewing distance. sheet_distance and parallax: null if they are fitted.
 const state = { sheet: null, dpi: 0, width: 0, height: 0, distance: 0, sheet_distance: null, parallax: null, budgets: 2,
                 eye: [0, 0, 1], tint: false };

@@ -42,8 +42,8 @@ std::unique_ptr<CombinedFrame> read_one(const std::string& path, const std::stri
     const std::string depth = given_depth.empty() ? depth_beside(path) : given_depth;
     if (given_depth.empty() && !std::filesystem::exists(depth))
         throw InputError(path + ": its depth frame " + depth +
-                         " is missing; Integral_Depth_Image and integral layers --depth write it, "
-                         "and --depth gives another name");
+                         " is missing; write it with Integral_Depth_Image or integral layers "
+                         "--depth, or name it with --depth");
     frame->depths = read_depths(depth);
     check_same(depth, frame->depths.metadata, path, *frame->file.frame().metadata);
     return frame;

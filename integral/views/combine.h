@@ -14,17 +14,18 @@ namespace integral {
 
 struct CombineRequest {
     std::vector<std::string> frames; ///< at least 2
-    std::vector<std::string> depths; ///< a depth frame for each; empty: depth_beside them
+    std::vector<std::string> depths; ///< a depth frame for each; empty: depth_beside() of each
+                                     ///< frame
     std::string output;
     std::string depth_output; ///< the merged depth frame; empty: none is written
     std::optional<int> bits;  ///< 8, 16 or 32; nothing: the most bits of any frame
     int threads = 0;          ///< 0: one per core
 };
 
-/// The name that a frame's depth frame has beside it: FRAME-depth.exr for FRAME.EXTENSION.
+/// Default name of a frame's depth frame, in the same folder: FRAME-depth.exr for FRAME.EXTENSION.
 std::string depth_beside(const std::string& frame);
 
-/// For each frame, the part of the film where its depth is the nearest; 0 to 1.
+/// For each frame, the share (0 to 1) of the imaged pixels whose merged depth is its depth.
 using CombinedShares = std::vector<double>;
 
 /// Writes the merged frame, and its depth frame if requested. At a pixel the frames are ordered by

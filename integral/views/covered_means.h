@@ -7,8 +7,8 @@
 
 namespace integral {
 
-/// The pixels along one side of a picture that covers `length` mm there, made at least `step` mm
-/// wide: from 1 to the old number `pixels`.
+/// Number of pixels, 1 to `pixels`, along a side `length` mm long, for pixels at least `step` mm
+/// wide.
 int pixels_of_step(int pixels, double length, double step);
 
 /// The picture as width x height floats of linear light with alpha, premultiplied: each new pixel

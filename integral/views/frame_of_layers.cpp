@@ -15,8 +15,8 @@
 namespace integral {
 namespace {
 
-constexpr int lines = 16;   ///< of sight, in a pixel
-constexpr double parts = 4; ///< pixels of a layer's picture, in the width of a pixel's beam
+constexpr int lines = 16;             ///< lines of sight of a film pixel
+constexpr double pixels_per_beam = 4; ///< pixels of a layer's picture across a film pixel's beam
 
 /// Where a line of sight of a pixel begins, relative to the pixel's centre and the lens's pole.
 struct LineStart {
@@ -41,14 +41,15 @@ double slit_height(const FrameMetadata& geometry)
 }
 
 /// Points of a scrambled Sobol sequence, moved to the middles of their intervals and then towards
-/// the pixel's centre and the lens's pole. By that shrinking the samples, each of which sees the
-/// mean over a pixel of the layer's picture and interpolates between these pixels, have the
-/// variance of the whole beam: 1/12 = spread^2 (1 - 1/lines^2)/12 + (1/12 + 1/6)/parts^2.
+/// the pixel's centre and the lens's pole. The shrinking gives the samples the variance of the
+/// whole beam. Each sample is a mean over a pixel of the layer's picture, interpolated between
+/// these pixels: 1/12 = spread^2 (1 - 1/lines^2)/12 + (1/12 + 1/6)/pixels_per_beam^2.
 std::vector<LineStart> line_starts(const FrameMetadata& geometry, const Lattice& lattice)
 {
     const Vec2 area = colour_area(geometry.film);
     const double height = slit_height(geometry),
-                 spread = std::sqrt((1 - 3 / (parts * parts)) / (1 - 1.0 / (lines * lines)));
+                 spread = std::sqrt((1 - 3 / (pixels_per_beam * pixels_per_beam)) /
+                                    (1 - 1.0 / (lines * lines)));
     const PointSeeds seeds = point_seeds(1);
     std::vector<LineStart> starts;
     for (int k = 0; k < lines; ++k) {
@@ -129,7 +130,7 @@ struct PlacedLayer {
 DrawnLayer drawn_layer(const Image& picture, double distance, const LayerWindow& window,
                        const FrameMetadata& geometry, int threads)
 {
-    const Vec2 step = (1 / parts) *
+    const Vec2 step = (1 / pixels_per_beam) *
                       beam_widths(geometry, layer_parallax(distance, geometry.aperture.distance));
     Image small = covered_means(picture, pixels_of_step(picture.width, window.size.x, step.x),
                                 pixels_of_step(picture.height, window.size.y, step.y), threads);
@@ -162,7 +163,7 @@ struct FrameOfLayers::State {
     Colour light(Vec2 film_point, const MappedPoint& mapped) const
     {
         const LensRay& ray = *mapped.ray;
-        constexpr float opaque = 1.0f / 1024; // what less than this passes is not looked at
+        constexpr float opaque = 1.0f / 1024; // lines that pass less light than this end
         const RayGradient g = ray_gradient(optics, film_point, ray);
         std::array<Vec2, lines> sheet_points, aperture_points;
         std::array<float, lines> open; // the share of light that the layers so far let through

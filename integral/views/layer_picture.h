@@ -17,7 +17,8 @@ namespace integral {
 class LayerPicture {
 public:
     /// `picture`: as covered_means makes it. `fade`: width, in pixels across and down, of the strip
-    /// in which the picture's edges become transparent, half inside and half outside; > 0, to 1.
+    /// in which the picture's edges become transparent, half inside and half outside; 0 < fade
+    /// <= 1.
     LayerPicture(Image picture, Vec2 fade) : picture_(std::move(picture)), fade_(fade) {}
 
     int width() const { return picture_.width; }

@@ -78,8 +78,8 @@ Image layer_image(const PictureLayer& layer)
 {
     Frame frame = read_frame(layer.path);
     if (frame.metadata)
-        throw std::invalid_argument(layer.path + ": it is a frame, with depth of its own; integral "
-                                                 "combine merges it with a frame of layers");
+        throw std::invalid_argument(layer.path + ": it is a frame, which has its own depth; merge "
+                                                 "it with integral combine");
     return std::move(frame.image);
 }
 

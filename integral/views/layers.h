@@ -15,15 +15,15 @@
 
 namespace integral {
 
-constexpr double farthest_layer = 1e6; // mm behind the sheet
+constexpr double max_layer_distance = 1e6; // mm behind the sheet
 
 /// A flat picture parallel to the sheet. Its size and place are measured on the sheet, as the eye
 /// in the middle sees them there, so that another distance does not change the picture from there.
 struct PictureLayer {
     std::string path;
     double distance = 0; ///< mm behind the sheet, as depth frames have it; negative: in front
-    /// mm; one follows from the other and the picture's shape. Without both the picture is fitted
-    /// to the film.
+    /// Size, mm. If only one side is given, the other follows from the picture's shape; if neither
+    /// is, the picture is fitted to the film.
     std::optional<double> width, height;
     Vec2 place; ///< of the picture's middle, mm from the film's: to the right, and upwards
 };
@@ -58,7 +58,7 @@ struct LayerFigures {
 struct BareEdge {
     std::string name;
     double margin = 0; ///< mm of the film beside the layer, for an eye at the zone's edge
-    double width = 0;  ///< mm, as in PictureLayer: fills the film for all these eyes
+    double width = 0; ///< PictureLayer::width, mm, with which the layer fills the film for all eyes
 };
 
 struct LayersView {

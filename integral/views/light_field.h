@@ -32,8 +32,8 @@ public:
     int t() const;
 
     /// Whether the samples are the film's pixels (views_are_exact): pixel_of(v, u, t, s) is then in
-    /// column first().x + s u() + u and row first().y + t v() + v. Lenses of which the film has
-    /// only some pixels are left out.
+    /// column first().x + s u() + u and row first().y + t v() + v. Lenses that the
+    /// film covers only in part are left out.
     bool is_exact() const;
     PixelPlace first() const;
 
@@ -68,8 +68,8 @@ private:
 std::optional<Image> light_field_samples(const Frame& frame, const LightFieldAxes& axes,
                                          int threads = 0, const Progress& progress = {});
 
-/// 1 for each sample L[v, u, t, s] whose film pixels, all of those that it is interpolated from,
-/// are imaged through lens (t, s) by the frame's camera (recorded_camera); else 0. Micro-images far
+/// For each sample L[v, u, t, s]: 1 if the frame's camera (recorded_camera) images all film pixels
+/// that the sample is interpolated from through lens (t, s), else 0. Micro-images far
 /// from the sheet's centre are displaced outwards: the samples at their edge may belong to a
 /// neighbouring lens, or to none.
 std::vector<unsigned char> light_field_mask(const FrameMetadata& metadata,

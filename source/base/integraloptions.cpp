@@ -226,7 +226,7 @@ void Read_Quilt(const std::string& text, POVMS_Object& options, int height,
         throw std::invalid_argument("Integral_Quilt and " + std::string(other) +
                                     " do not go together: that is of a frame");
     if (result.antialias && options.TryGetInt(kPOVAttrib_SamplingMethod, 1) == 2)
-        throw std::invalid_argument("Integral_Quilt does not go with +AM2, whose samples at the "
+        throw std::invalid_argument("Integral_Quilt does not work with +AM2, whose samples at the "
                                     "corners of pixels would mix neighbouring views; use +AM1");
     result.quilt = grid;
 }

@@ -28,8 +28,8 @@ class Frame:
                    for rendered frames, "camera" (the sheet's place in the scene), "parallax" and
                    "render"; None for a picture without geometry
 
-    Frame(image, sheet, film, aperture) makes a frame of an array of any strides, without copying it;
-    float64 samples become float32. `metadata` may stand in place of sheet, film and aperture. Frames
+    Frame(image, sheet, film, aperture) makes a frame of an array of any strides. uint8, uint16 and
+    float32 arrays are not copied; other floats become float32. `metadata` may stand in place of sheet, film and aperture. Frames
     can be pickled and copied.
     """
 

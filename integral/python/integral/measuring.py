@@ -10,7 +10,7 @@ from .geometry import Aperture, Document, Film, LensSheet, _document, _sheet
 
 
 class Depth(NamedTuple):
-    """What a frame's centre eye sees, with its depth: arrays of one height and width.
+    """Centre view of a frame, with its depth: arrays of one height and width.
 
     depth_mm    [y, x] behind the sheet, negative in front; NaN where nothing is known
     disparity   [y, x] pixels between neighbouring views, of which 0 is the sheet and more is nearer
@@ -31,7 +31,7 @@ class Fit(NamedTuple):
 
     sheet_distance  from the scene's eye, in the unit of the distances
     parallax        mm that the scene's eye moves for each mm of the viewer's
-    share           of the distances, that is seen within the allowed depth
+    share           part of the distances within the allowed depth
     """
 
     sheet_distance: float

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""What eyes see of frames; frames of views; images for panels."""
+"""Pictures that eyes see of frames; frames of views; images for panels."""
 import warnings
 from typing import Any, List, Optional, Tuple, Union
 
@@ -16,8 +16,8 @@ def replay(frame: Frame, eye: Optional[Tuple[float, float, float]] = None,
            pupil: float = 0, focus: float = 0, film_gap: float = 0, lens_blur: float = 0,
            lens_model: str = "extended_pinhole", as_seen: bool = False, raw_draft: bool = False,
            threads: int = 0, progress: Progress = None) -> np.ndarray:
-    """What an eye sees of a frame through its lens sheet: the picture of `integral replay`, an array
-    [y, x, channel] of the frame's type, encoding and channels. The sheet fills the picture; it is
+    """Returns the picture that an eye sees of a frame through its lens sheet, as `integral replay`
+    makes it: an array [y, x, channel] of the frame's type, encoding and channels. The sheet fills the picture; it is
     black where no light of the film reaches the eye.
 
     eye         (x, y, distance) in mm: to the right of the sheet's centre, above it, and in front of

@@ -99,7 +99,7 @@ void IntegralGrammar::Check_Type(const Camera& camera, const IntegralStatement& 
                           "example viewing_distance 400.");
     if (camera.Type != PERSPECTIVE_CAMERA)
         Refuse(statement, "An integral camera starts from a perspective or an orthographic camera; "
-                          "no other type goes with it.");
+                          "take one of these types.");
 }
 
 /// Computes the lenses' own pitch from visual_pitch, the pitch as seen from viewing_distance.
@@ -196,8 +196,9 @@ void IntegralGrammar::Check_Camera(Camera& camera)
                           "follows from location, look_at and direction.");
     Check_Type(camera, statement);
     if (camera.Tnormal != NULL)
-        Refuse(statement, "A camera normal does not go with an integral camera: it would bend the "
-                          "light of all lenses alike.");
+        Refuse(statement,
+               "A camera normal does not work with an integral camera: it would bend the "
+               "light of all lenses equally.");
     if (option && camera.Aperture != 0 && camera.Blur_Samples > 0)
     {
         parser.Warning(0, "Integral_Camera: the scene's focal blur (aperture, blur_samples) is "
@@ -207,7 +208,7 @@ void IntegralGrammar::Check_Camera(Camera& camera)
     }
     if (camera.Aperture != 0 && camera.Blur_Samples > 0)
         Refuse(statement,
-               "Focal blur (aperture, blur_samples) does not go with an integral camera: "
+               "Focal blur (aperture, blur_samples) does not work with an integral camera: "
                "its depth is focused by the eye that looks at the print.");
     for (const char *word : {"lens_sheet", "film"})
         if (!statement.given.count(word))

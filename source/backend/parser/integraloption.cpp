@@ -31,7 +31,7 @@ void IntegralGrammar::Parse_Option()
     const std::string scene = UCS2toASCIIString(parser.sceneData->inputFile);
     if (integral::is_special(scene))
         parser.Error(
-            "The scene %s is a pipe or a device, and POV-Ray has to go back in it: save it "
+            "The scene %s is a pipe or a device, and POV-Ray must read parts of it twice; save it "
             "as a file first.",
             scene.c_str());
     const pov_base::IntegralSceneOptions& options = *parser.sceneData->integral;
