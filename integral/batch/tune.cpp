@@ -296,13 +296,6 @@ bool worth_measuring(const Chain& chain, const std::vector<TunePoint>& points, c
     return !(goal.error && best && chain.expected >= points[*best].seconds);
 }
 
-/// A word of a command line to paste, quoted only where a shell would read it otherwise.
-std::string pasted(const std::string& word)
-{
-    return word.find_first_of(" \"'$`\\<>|&;(){}[]*?#~!") == std::string::npos ? word
-                                                                               : for_shell(word);
-}
-
 } // namespace
 
 double counted_error(const ErrorEstimate& error) { return error.low > 0 ? error.rms : error.high; }
@@ -381,7 +374,7 @@ std::string tuned_command(const std::string& scene, const std::vector<std::strin
 {
     std::string text = "povray-integral";
     for (const std::string& word : tuned_words(scene, options, result, setting))
-        text += " " + pasted(word);
+        text += " " + for_shell(word);
     return text;
 }
 

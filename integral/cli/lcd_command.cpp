@@ -97,7 +97,7 @@ void check_show_options(const LcdOptions& o)
 void use_display(const LcdOptions& o, const LcdRequest& lcd)
 {
     if (o.output || o.card || o.camera || o.describe)
-        throw UsageError("--panel NAME|FILE.json is missing; --list tells the names");
+        throw UsageError("--panel NAME|FILE.json is missing; --list prints the names");
     check_show_options(o);
     if (o.list_displays) {
         const Desktop desktop;

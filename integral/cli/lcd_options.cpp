@@ -127,7 +127,7 @@ void check_panel_options(const LcdOptions& o, const LcdRequest& lcd)
         throw_if_given({{"describe", o.describe}, {"camera", o.camera}, {"card", o.card}},
                        "takes no INPUT");
     if (lcd.panel.empty())
-        throw UsageError("--panel NAME|FILE.json is missing; --list tells the names");
+        throw UsageError("--panel NAME|FILE.json is missing; --list prints the names");
     if (!o.describe && !o.camera && lcd.output.empty() && !o.show)
         throw UsageError("-o FILE is missing, or --show DISPLAY");
     if (!o.describe && !o.camera && !lcd.card && o.inputs.empty())

@@ -70,6 +70,10 @@ std::string json_within_html(const std::string& json)
 
 std::string for_shell(const std::string& text)
 {
+    constexpr char
+        plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./+-=,:@";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos)
+        return text;
     std::string safe = "'";
     for (const char c : text)
         safe += c == '\'' ? std::string("'\\''") : std::string(1, c);

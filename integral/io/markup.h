@@ -25,7 +25,7 @@ std::string markup_text(const std::string& text);
 /// finds no markup.
 std::string json_within_html(const std::string& json);
 
-/// A text as one word for a shell.
+/// A text as one word for a shell: in quotation marks unless all its characters are plain.
 std::string for_shell(const std::string& text);
 
 /// Bytes in base64 (RFC 4648), without line ends.

@@ -192,8 +192,8 @@ Panel find_panel(const std::string& name)
         return *known;
     if (extension_of(name) != "json")
         throw std::invalid_argument(
-            "no panel has this name; --list tells those that are known, and "
-            "a description's name ends in .json");
+            "no panel has this name; take one of integral lcd --list, or a description, whose name "
+            "ends in .json");
     const std::string bytes = read_file(name);
     try {
         return panel_from_json(bytes);

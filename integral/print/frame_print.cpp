@@ -21,9 +21,9 @@ std::string today()
     std::time_t now = std::time(nullptr);
     if (const char* fixed = std::getenv("SOURCE_DATE_EPOCH"))
         now = std::time_t(std::strtoll(fixed, nullptr, 10));
-    const std::tm* day = std::gmtime(&now);
+    std::tm day;
     char text[40];
-    if (!day || std::strftime(text, sizeof text, "%Y-%m-%d", day) == 0)
+    if (!gmtime_r(&now, &day) || std::strftime(text, sizeof text, "%Y-%m-%d", &day) == 0)
         throw std::invalid_argument("SOURCE_DATE_EPOCH is no time that has a date");
     return text;
 }

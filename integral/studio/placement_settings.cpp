@@ -10,6 +10,7 @@
 #include "integral/sheet/sheet_report.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace integral {
@@ -117,6 +118,9 @@ PlacementSettings settings_from_json(const std::string& text)
     PlacementSettings settings;
     if (object.has("panel") && !object.at("panel").is_null())
         settings.panel = panel_from_json(object.at("panel").dump());
+    if (settings.panel && std::any_of(settings.panel->name.begin(), settings.panel->name.end(),
+                                      [](unsigned char c) { return std::iscntrl(c); }))
+        throw_field_error("panel", "has a name with line ends or other control characters");
     settings.sheet = sheet_from(object_at(object, "sheet"));
     settings.dpi = number_at(object, "dpi", 1, 1e6);
     settings.print = vec2_at(object, "print_mm", least_length, largest_length);
@@ -155,7 +159,7 @@ FrameMetadata frame_of_settings(const PlacementSettings& settings, const DepthFr
     SceneFit fit{settings.sheet_distance.value_or(scene.placement->sheet_distance),
                  settings.parallax.value_or(1)};
     const auto ends = depth_ends({probe->eye_distances.begin(), probe->eye_distances.end()});
-    const auto budget = depth_budget(frame.sheet, counted(frame).pixel);
+    const auto budget = seen_budget(frame);
     if (!(settings.sheet_distance && settings.parallax) && ends && budget)
         fit = fit_to_budget(*ends, {settings.budgets * *budget / frame.aperture.distance,
                                     settings.sheet_distance, settings.parallax});
@@ -181,7 +185,7 @@ Json settings_figures(const PlacementSettings& settings, const DepthFrame* probe
 {
     const FrameMetadata frame = frame_of_settings(settings, probe);
     const LensRowGeometry row = counted(frame);
-    const auto budget = depth_budget(frame.sheet, row.pixel);
+    const auto budget = seen_budget(frame);
     Json figures = {{"geometry", parse_json(to_json(frame))},
                     {"words", words_of_settings(settings, frame)},
                     {"budget_mm", budget ? Json(*budget) : Json()},

@@ -278,7 +278,7 @@ void SceneRenders::watch_files()
     if (job_ && job_->print && !next_print_)
         next_print_ = job_->print;
     job_.reset();
-    next_probe_ = first_probe(probe_        ? double(probe_->width) / probe_->height
+    next_probe_ = first_probe(probe_        ? probe_->request.aspect
                               : next_probe_ ? next_probe_->aspect
                                             : 4.0 / 3);
     probe_.reset();

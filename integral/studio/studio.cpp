@@ -4,6 +4,7 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/json.h"
 #include "integral/batch/renderer_options.h"
+#include "integral/io/markup.h"
 #include "integral/print/frame_print.h"
 
 #include <algorithm>
@@ -66,6 +67,13 @@ std::string print_name(const std::string& scene, const PlacementSettings& settin
                        const char* extension)
 {
     return stem_of(scene) + (settings.panel ? "-on-panel" : "-on-sheet") + extension;
+}
+
+/// A file's name on a shell's line for povray-integral, which reads words with blanks in quotation
+/// marks of its own.
+std::string for_renderer(const std::string& name)
+{
+    return for_shell(name) == name ? name : for_shell(quoted(name));
 }
 
 } // namespace
@@ -137,7 +145,7 @@ std::string Studio::figures(const std::string& text) const
     const DepthFrame* const depths = probe ? &probe->depths : nullptr;
     PlacementSettings settings = text.empty() ? first_ : settings_from_json(text);
     if (!(settings.print.x > 0)) // not given
-        settings.print = print_of_aspect(probe ? double(probe->width) / probe->height : 4.0 / 3);
+        settings.print = print_of_aspect(probe ? probe->request.aspect : 4.0 / 3);
     Json figures = settings_figures(settings, depths);
     figures["settings"] = json_of(settings);
     return figures.dump();
@@ -153,11 +161,12 @@ std::string Studio::save(const PlacementSettings& settings) const
     const FrameMetadata frame = frame_of_settings(settings, &probe->depths);
     const std::string name = print_name(scene_, settings, ".ini"),
                       picture = print_name(scene_, settings, ".png"),
-                      command = "povray-integral " + name + " +A0.3";
+                      command = "povray-integral " + for_renderer(name) + " +A0.3";
     std::string text = "; " + stem_of(scene_) + ", placed on a sheet by integral studio.\n; " +
                        command + "\n";
     if (settings.panel)
-        text += "; integral lcd " + picture + " --panel " + settings.panel->name + " --show auto\n";
+        text += "; integral lcd " + for_shell(picture) + " --panel " +
+                for_shell(settings.panel->name) + " --show auto\n";
     for (const std::string& word : renders_.words_for(settings, frame))
         text += word + "\n";
     text += "+O" + quoted(picture) + "\n";
@@ -180,7 +189,8 @@ std::string Studio::page(const std::string& paper) const
     settings.pixel_pitch = metadata.film.pixel_pitch;
     PageRequest& page = settings.page;
     page.crop_marks = page.registration_marks = page.axis_marks = true;
-    std::string command = "integral print " + print + " -o " + file + " --marks all";
+    std::string command = "integral print " + for_shell(print) + " -o " + for_shell(file) +
+                          " --marks all";
     if (!paper.empty()) {
         const auto named = paper_named(paper);
         if (!named)
