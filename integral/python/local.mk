@@ -43,7 +43,7 @@ build_python_integral__integral_so_LINK = $(CXXLD) $(AM_CXXFLAGS) $(CXXFLAGS) -s
 
 # What takes time is in libintegral, so that the bindings, templates of pybind11's for the most part,
 # need less optimizing, which takes a quarter of their time to compile.
-$(build_python_integral__integral_so_OBJECTS): CXXFLAGS = -O1
+$(build_python_integral__integral_so_OBJECTS): CXXFLAGS += -O1
 
 python_package = $(python_package_files:integral/python/%=build/python/%)
 $(python_package): build/python/%: integral/python/%
