@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/python/arrays.h"
 
+#include "integral/base/number_text.h"
 #include "integral/frame/names.h"
 
 #include <cstring>
 #include <stdexcept>
+#include <type_traits>
 
 namespace integral {
 namespace {
@@ -32,10 +34,10 @@ Image form_of_pictures(const py::array& array, Encoding encoding, bool premultip
     if (axes < 3 || array.size() == 0 || (side(0) != 3 && side(0) != 4) || side(1) > largest_side ||
         side(2) > largest_side)
         throw_no_picture(array);
-    const int bits = py::isinstance<py::array_t<std::uint8_t>>(array)    ? 8
-                     : py::isinstance<py::array_t<std::uint16_t>>(array) ? 16
-                     : array.dtype().kind() == 'f'                       ? 32
-                                                                         : 0;
+    const char kind = array.dtype().kind(); // whatever the order of bytes
+    const int bits = kind == 'u' && array.itemsize() <= 2 ? 8 * int(array.itemsize())
+                     : kind == 'f'                        ? 32
+                                                          : 0;
     if (bits == 0)
         throw std::invalid_argument("an array of " + std::string(py::str(array.dtype())) +
                                     " is no picture; its samples must be uint8, uint16 or real "
@@ -99,16 +101,48 @@ Image image_from(const py::array& array, Encoding encoding, bool premultiplied)
     return std::move(images_from(array, encoding, premultiplied)[0]);
 }
 
-py::array array_of(const std::vector<Image>& pictures, std::vector<py::ssize_t> leading)
+py::array array_of(std::vector<Image> pictures, std::vector<py::ssize_t> leading)
 {
-    const Image& first = pictures.at(0);
-    Image all = blank_like(first, first.width, first.height * int(pictures.size()));
-    for (std::size_t k = 0; k < pictures.size(); ++k)
-        std::memcpy(row_bytes(all, int(k) * first.height), row_bytes(pictures[k], 0),
-                    std::size_t(size_in_bytes(first)));
-    for (const int side : {first.height, first.width, first.channels})
+    const Image form = form_of(pictures.at(0));
+    for (const int side : {form.height, form.width, form.channels})
         leading.push_back(side);
-    return array_of(std::move(all), std::move(leading));
+    return std::visit(
+        [&](auto& first) -> py::array {
+            using Values = std::decay_t<decltype(first)>;
+            Values all;
+            {
+                const py::gil_scoped_release released;
+                all.reserve(first.size() * pictures.size());
+                for (Image& picture : pictures) {
+                    const Values samples = std::get<Values>(std::exchange(picture.samples, {}));
+                    all.insert(all.end(), samples.begin(), samples.end());
+                }
+            }
+            return array_of(std::move(all), std::move(leading));
+        },
+        pictures[0].samples);
+}
+
+void check_number(const char* name, double value, double least, double greatest)
+{
+    if (!(value >= least && value <= greatest))
+        throw std::invalid_argument(std::string(name) + " " + with_digits(value, 10) +
+                                    ": a number from " + with_digits(least, 10) + " to " +
+                                    with_digits(greatest, 10) + " is expected");
+}
+
+void check_threads(int threads) { check_number("threads", threads, 0, 1024); }
+
+void check_picture_size(const std::optional<std::array<int, 2>>& size, int largest)
+{
+    for (const int side : size.value_or(std::array<int, 2>{1, 1}))
+        check_number("size", side, 1, largest);
+}
+
+void check_film_size(const FrameMetadata& geometry)
+{
+    if (geometry.film.width < 1 || geometry.film.height < 1)
+        throw std::invalid_argument("the film has no width and height; give the frame's pixels");
 }
 
 Encoding encoding_from(const py::object& encoding)

@@ -9,6 +9,8 @@
 
 #include <pybind11/numpy.h>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,8 +45,9 @@ Image form_from(const py::array& array, Encoding encoding, bool premultiplied = 
 /// Arrays with leading axes: [..., y, x, channel], one picture after the other in C order.
 std::vector<Image> images_from(const py::array& array, Encoding encoding,
                                bool premultiplied = false);
-/// Inverse, for pictures of one size and form. `leading`: the leading axes.
-py::array array_of(const std::vector<Image>& pictures, std::vector<py::ssize_t> leading);
+/// Inverse, for pictures of one size and form, which are freed one by one. `leading`: the leading
+/// axes.
+py::array array_of(std::vector<Image> pictures, std::vector<py::ssize_t> leading);
 
 /// "srgb", "linear", or the gamma of a power law as a number. Throws std::invalid_argument.
 Encoding encoding_from(const py::object& encoding);
@@ -52,6 +55,19 @@ py::object python_of(Encoding encoding);
 
 /// "contain", "cover" or "stretch". Throws std::invalid_argument.
 Fit fit_from(const std::string& fit);
+
+/// Throws std::invalid_argument, "NAME VALUE: a number from LEAST to GREATEST is expected", for a
+/// value outside this range and for NaN.
+void check_number(const char* name, double value, double least, double greatest);
+
+/// check_number of `threads`, with the limits of the commands' --threads.
+void check_threads(int threads);
+
+/// check_number of both sides of a picture, pixels, if given.
+void check_picture_size(const std::optional<std::array<int, 2>>& size, int largest);
+
+/// Throws std::invalid_argument for a geometry whose film has no width and height.
+void check_film_size(const FrameMetadata& geometry);
 
 /// A JSON document as Python's dicts, lists and numbers, and back.
 py::object python_of(const Json& document);

@@ -17,6 +17,8 @@
 namespace integral {
 namespace {
 
+constexpr int largest_map_side = 32768; // pixels, as of integral depth
+
 DepthQuality quality_named(const std::string& name)
 {
     const auto quality = depth_quality(name);
@@ -42,6 +44,8 @@ UprightMap measured(const Frame& frame, DepthQuality quality, int width, int thr
 py::tuple depth(const py::object& of_python, const std::string& quality, int width, int threads,
                 const py::object& progress)
 {
+    check_number("width", width, 0, largest_map_side);
+    check_threads(threads);
     const Frame frame = frame_with_geometry(of_python);
     const DepthQuality chosen = quality_named(quality);
     UprightMap map = result_of_long(progress, [&](const Progress& report) {
@@ -60,14 +64,17 @@ py::tuple depth(const py::object& of_python, const std::string& quality, int wid
 py::array refocus(const py::object& of_python, double focus, double pupil, std::optional<int> width,
                   const std::string& quality, int threads, const py::object& progress)
 {
+    check_number("focus", focus, -1e6, 1e6);
+    check_number("pupil", pupil, 0, 1e6);
+    check_number("width", width.value_or(1), 1, largest_map_side);
+    check_threads(threads);
     const Frame frame = frame_with_geometry(of_python);
     const DepthQuality chosen = quality_named(quality);
     return array_of(result_of_long(progress, [&](const Progress& report) {
         const DepthInput input = depth_input_of(frame, threads, piece_of(report, 0, 3));
         const Relief relief = measured_relief(input, chosen, threads, piece_of(report, 1, 3));
-        if (!(focus > -relief.distance()) || !(pupil >= 0))
-            throw std::invalid_argument("focus and pupil: a depth before the eye and a diameter "
-                                        "are expected");
+        if (!(focus > -relief.distance()))
+            throw std::invalid_argument("focus: a depth before the eye is expected");
         constexpr double least_longer_side = 500; // pixels, as of integral depth
         Refocus lens;
         lens.focus = focus;

@@ -21,14 +21,20 @@ void put(double* row, Vec2 v) { row[0] = v.x, row[1] = v.y; }
 void put(double* row, Vec3 v) { row[0] = v.x, row[1] = v.y, row[2] = v.z; }
 void put(std::int64_t* row, LensIndex lens) { row[0] = lens.i, row[1] = lens.j; }
 
-/// Calls work(k) for k from 0 to n - 1, from several threads and without Python's lock.
+/// Calls work(k) for k from 0 to n - 1; many from several threads, without Python's lock, and so
+/// that Ctrl-C ends them.
 template <class Work> void for_each_of(py::ssize_t n, int threads, Work work)
 {
     constexpr py::ssize_t block = 4096;
-    const py::gil_scoped_release released;
-    for_each_row(int((n + block - 1) / block), n > block ? threads : 1, [&](int row) {
+    check_threads(threads);
+    const auto do_block = [&](int row) {
         for (py::ssize_t k = row * block; k < std::min(n, (row + 1) * block); ++k)
             work(k);
+    };
+    if (n <= block)
+        return do_block(0);
+    run_long(py::none(), [&](const Progress& progress) {
+        for_each_row(int((n + block - 1) / block), threads, do_block, progress);
     });
 }
 
@@ -124,8 +130,9 @@ void declare_optics(py::module_& module)
 {
     py::class_<IntegralCamera>(module, "Camera")
         .def(py::init([](const py::object& document, bool in_scene) {
-            return recorded_camera(frame_metadata_from_json(text_of(document)),
-                                   in_scene ? CameraSpace::scene : CameraSpace::sheet);
+            const FrameMetadata geometry = frame_metadata_from_json(text_of(document));
+            check_film_size(geometry);
+            return recorded_camera(geometry, in_scene ? CameraSpace::scene : CameraSpace::sheet);
         }))
         .def("rays", rays)
         .def("pixels_seen", pixels_seen)

@@ -29,6 +29,11 @@ py::tuple interlace_for(const py::object& of_python, const py::object& views,
                         std::optional<std::pair<int, int>> grid, const std::string& fit,
                         int threads, const py::object& progress)
 {
+    check_threads(threads);
+    constexpr int most_views = 256; // one way
+    if (grid)
+        for (const int number : {grid->first, grid->second})
+            check_number("grid", number, 1, most_views);
     const Fit chosen = fit_from(fit);
     const Panel found = find_panel(panel);
     std::optional<Frame> frame;

@@ -33,8 +33,6 @@ View view_of(const ReplayWords& words, View view, const FrameMetadata& metadata)
     view.eye = centre_eye(metadata);
     if (words.eye)
         view.eye = {(*words.eye)[0], (*words.eye)[1], (*words.eye)[2]};
-    if (!(view.eye.distance > 0))
-        throw std::invalid_argument("the eye's distance must be greater than 0");
     if (words.part)
         view.part = {{(*words.part)[0], (*words.part)[1]}, (*words.part)[2], (*words.part)[3]};
     if (words.as_seen)
@@ -46,10 +44,29 @@ View view_of(const ReplayWords& words, View view, const FrameMetadata& metadata)
     }
     view.width = (*words.size)[0];
     view.height = (*words.size)[1];
-    if (view.width < 1 || view.height < 1)
-        throw std::invalid_argument("the size must be 1 pixel or more each way");
     fit_part_to_size(view, metadata, words.fit);
     return view;
+}
+
+/// Throws std::invalid_argument for values that no frame can be replayed with.
+void check(const ReplayWords& words, const View& view)
+{
+    constexpr double farthest = 1e9, shortest = 1e-9, longest = 1e6; // mm
+    if (words.eye) {
+        for (const double place : *words.eye)
+            check_number("eye", place, -farthest, farthest);
+        if (!((*words.eye)[2] > 0))
+            throw std::invalid_argument("the eye's distance must be greater than 0");
+    }
+    if (words.part)
+        for (std::size_t k = 0; k < 4; ++k)
+            check_number("part", (*words.part)[k], k < 2 ? -farthest : shortest, farthest);
+    check_picture_size(words.size, largest_replay_side);
+    check_number("samples", words.samples.value_or(1), 1, 64);
+    check_number("pupil", view.pupil, 0, longest);
+    check_number("focus", view.focus, -longest, longest);
+    check_number("film_gap", view.film_gap, -longest, longest);
+    check_number("lens_blur", view.blur, 0, longest);
 }
 
 /// The frame that is replayed: a draft is expanded to the print's pixels.
@@ -66,11 +83,12 @@ Frame replayed(Frame frame, bool raw_draft, int threads, const Progress& progres
 py::array replay_frame(const py::object& of_python, const ReplayWords& words, const View& lens,
                        int threads, const py::object& progress)
 {
+    check(words, lens);
+    check_threads(threads);
     Frame frame = frame_with_geometry(of_python);
     return array_of(*result_of_long(progress, [&](const Progress& report) {
         frame = replayed(std::move(frame), words.raw_draft, threads, piece_of(report, 0, 2));
         const View view = view_of(words, lens, *frame.metadata);
-        check_size({}, view);
         return replay(frame, view, threads, piece_of(report, 1, 2));
     }));
 }
@@ -96,11 +114,6 @@ void declare_replay(py::module_& module)
         view.focus = focus;
         view.film_gap = film_gap;
         view.blur = lens_blur;
-        if (!(pupil >= 0 && pupil <= 1e6) || !(lens_blur >= 0 && lens_blur <= 1e6))
-            throw std::invalid_argument("pupil and lens_blur: a diameter from 0 to 1e6 mm is "
-                                        "expected");
-        if (samples && (*samples < 1 || *samples > 64))
-            throw std::invalid_argument("samples: a whole number from 1 to 64 is expected");
         return replay_frame(frame, {eye, size, part, samples, fit_from(fit), as_seen, raw_draft},
                             view, threads, progress);
     });

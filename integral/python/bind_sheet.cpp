@@ -13,10 +13,17 @@
 namespace integral {
 namespace {
 
+constexpr double smallest = 1e-9; // of what must be greater than 0
+
 /// (sheet_distance, parallax, share of the distances within the allowed depth).
-py::tuple fit(const std::vector<double>& distances, const py::object& document, double budgets,
-              std::optional<double> sheet_distance, std::optional<double> parallax)
+py::tuple fit(const py::array_t<double, py::array::c_style | py::array::forcecast>& array,
+              const py::object& document, double budgets, std::optional<double> sheet_distance,
+              std::optional<double> parallax)
 {
+    check_number("budgets", budgets, 0.1, 100);
+    check_number("sheet_distance", sheet_distance.value_or(1), smallest, 1e9);
+    check_number("parallax", parallax.value_or(1), smallest, 100);
+    const std::vector<double> distances(array.data(), array.data() + array.size());
     const FrameMetadata geometry = frame_metadata_from_json(text_of(document));
     const auto budget = seen_budget(geometry);
     if (!budget)
@@ -28,8 +35,6 @@ py::tuple fit(const std::vector<double>& distances, const py::object& document, 
     const auto ends = depth_ends(distances);
     if (!ends)
         throw std::invalid_argument("no distance is finite; give those of surfaces");
-    if (!(budgets >= 0.1 && budgets <= 100))
-        throw std::invalid_argument("budgets must be from 0.1 to 100");
     const double beta = budgets * *budget / viewer_distance(geometry);
     const SceneFit found = fit_to_budget(*ends, {beta, sheet_distance, parallax});
     return py::make_tuple(found.sheet_distance, found.parallax,
@@ -42,6 +47,9 @@ void declare_sheet(py::module_& module)
 {
     module.def("sheet_figures", [](const py::object& document, std::vector<double> depths,
                                    double pupil) {
+        check_number("pupil", pupil, smallest, 1e9);
+        for (const double depth : depths)
+            check_number("depths", depth, smallest, 1e12);
         Viewer viewer;
         viewer.pupil = pupil;
         viewer.depths = std::move(depths);

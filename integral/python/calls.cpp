@@ -17,11 +17,19 @@
 namespace integral {
 namespace {
 
+/// The notices of the call that this thread works for; null in other threads.
+thread_local std::vector<std::string>* notices = nullptr;
+
 /// A piece of work in a thread, and its state.
 class Running {
 public:
-    explicit Running(const std::function<void(const Progress&)>& work)
-        : thread_([this, &work] { run(work); })
+    /// The work's notices go to `notices_of_work`, which outlives this.
+    Running(const std::function<void(const Progress&)>& work,
+            std::vector<std::string>& notices_of_work)
+        : thread_([this, &work, &notices_of_work] {
+              notices = &notices_of_work;
+              run(work);
+          })
     {
     }
     ~Running()
@@ -43,11 +51,8 @@ public:
         const std::lock_guard<std::mutex> lock(mutex_);
         return {done_, total_};
     }
-    void rethrow()
-    {
-        if (error_)
-            std::rethrow_exception(error_);
-    }
+    /// The exception of the work, once it has ended; null if there was none.
+    std::exception_ptr error() const { return error_; }
 
 private:
     void run(const std::function<void(const Progress&)>& work)
@@ -76,8 +81,14 @@ private:
     std::thread thread_; ///< the last member: it uses the others
 };
 
-std::mutex notices_mutex;
-std::vector<std::string> notices;
+/// Gives lines as Python warnings.
+void give_warnings(const std::vector<std::string>& lines)
+{
+    constexpr int of_the_caller = 2; // beyond the module's own function in Python
+    for (const std::string& line : lines)
+        if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), of_the_caller) != 0)
+            throw py::error_already_set();
+}
 
 PyObject* new_exception(const char* name, const char* doc, const py::object& bases)
 {
@@ -95,9 +106,11 @@ PyObject* output_error = nullptr; // integral.OutputError
 void run_long(const py::object& progress, const std::function<void(const Progress&)>& work)
 {
     std::optional<py::error_already_set> raised;
+    std::exception_ptr failure;
+    std::vector<std::string> lines;
     {
         std::optional<py::gil_scoped_release> released(std::in_place);
-        Running running(work);
+        Running running(work, lines);
         while (!running.wait()) {
             released.reset();
             try {
@@ -112,12 +125,18 @@ void run_long(const py::object& progress, const std::function<void(const Progres
             }
             released.emplace();
         }
-        if (!raised)
-            running.rethrow();
+        failure = running.error();
     }
-    give_warnings();
+    try {
+        give_warnings(lines);
+    } catch (const py::error_already_set&) { // warnings are errors; a failure goes first
+        if (!raised && !failure)
+            throw;
+    }
     if (raised)
         throw std::move(*raised);
+    if (failure)
+        std::rethrow_exception(failure);
 }
 
 void declare_messages(py::module_& module)
@@ -145,22 +164,9 @@ void declare_messages(py::module_& module)
         }
     });
     receive_notices([](const std::string& line) {
-        const std::lock_guard<std::mutex> lock(notices_mutex);
-        notices.push_back(line);
+        if (notices)
+            notices->push_back(line);
     });
-}
-
-void give_warnings()
-{
-    std::vector<std::string> lines;
-    {
-        const std::lock_guard<std::mutex> lock(notices_mutex);
-        lines.swap(notices);
-    }
-    constexpr int of_the_caller = 2; // beyond the module's own function in Python
-    for (const std::string& line : lines)
-        if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), of_the_caller) != 0)
-            throw py::error_already_set();
 }
 
 } // namespace integral

@@ -18,7 +18,8 @@ namespace py = pybind11;
 
 /// Runs `work` in a thread of its own and waits for it without Python's lock. `progress`: None, or
 /// a Python function that is called with (done, total), in the calling thread, some times a second.
-/// An exception of it, or Ctrl-C, stops the work and is thrown; so is an exception of the work.
+/// An exception of it, or Ctrl-C, stops the work and is thrown; so is an exception of the work. The
+/// notices of the work, also if it fails, become Python warnings.
 void run_long(const py::object& progress, const std::function<void(const Progress&)>& work);
 
 /// The result of work(Progress), run as in run_long.
@@ -29,11 +30,8 @@ template <class Work> auto result_of_long(const py::object& progress, Work work)
     return std::move(*result);
 }
 
-/// Adds the exceptions of the library to a module, and passes its notices on as warnings.
+/// Adds the exceptions of the library to a module, and receives its notices.
 void declare_messages(py::module_& module);
-
-/// Gives the notices that have come since the last call as Python warnings.
-void give_warnings();
 
 } // namespace integral
 

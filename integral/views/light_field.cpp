@@ -4,9 +4,11 @@
 #include "integral/frame/recorded_camera.h"
 #include "integral/views/view_lenses.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace integral {
 
@@ -28,6 +30,13 @@ struct LightFieldAxes::State {
         }
         if (s < 1 || t < 1)
             throw std::invalid_argument("the film has no whole lens; a light field needs one");
+        constexpr int most_directions = 4096; // one way, as a quilt's views
+        const ViewGrid grid = lenses.grid;
+        if (std::max(grid.columns, grid.rows) > most_directions ||
+            double(grid.columns) * grid.rows * t > std::numeric_limits<int>::max())
+            throw std::invalid_argument("the light field has too many samples; choose fewer "
+                                        "directions, at most " +
+                                        std::to_string(most_directions) + " one way");
     }
 
     /// The first pixel of lens (t, s) in the views of `lenses`.
@@ -110,11 +119,8 @@ std::optional<Image> light_field_samples(const Frame& frame, const LightFieldAxe
                                          int threads, const Progress& progress)
 {
     const LightFieldAxes::State& state = *axes.state_;
-    const double rows = double(axes.v()) * axes.u() * axes.t();
-    if (rows > std::numeric_limits<int>::max())
-        throw std::invalid_argument("the light field has too many samples; choose fewer "
-                                    "directions");
-    Image samples = blank_like(frame.image, axes.s(), int(rows));
+    const int rows = axes.v() * axes.u() * axes.t();
+    Image samples = blank_like(frame.image, axes.s(), rows);
     const LinearReader light(frame.image);
     const auto draw = [&](int row) {
         const int t = row % axes.t(), direction = row / axes.t();
@@ -132,7 +138,7 @@ std::optional<Image> light_field_samples(const Frame& frame, const LightFieldAxe
                 store_linear(samples, s, row, *colour);
         }
     };
-    if (!for_each_row(int(rows), threads, draw, progress))
+    if (!for_each_row(rows, threads, draw, progress))
         return std::nullopt;
     return samples;
 }

@@ -22,7 +22,8 @@ namespace integral {
 class LightFieldAxes {
 public:
     /// `directions`: numbers of u and v. natural_views of parallel_views.h gives each film pixel
-    /// one. Throws std::invalid_argument as lens_window does, and if there is no lens.
+    /// one. Throws std::invalid_argument as lens_window does, if there is no lens, for more than
+    /// 4096 of u or v, and for more than 2^31 - 1 rows of samples (v, u, t).
     LightFieldAxes(const FrameMetadata& metadata, ViewGrid directions);
     ~LightFieldAxes();
 
@@ -31,9 +32,9 @@ public:
     int s() const;
     int t() const;
 
-    /// Whether the samples are the film's pixels (views_are_exact): pixel_of(v, u, t, s) is then in
-    /// column first().x + s u() + u and row first().y + t v() + v. Lenses that the
-    /// film covers only in part are left out.
+    /// Whether the samples are the film's pixels (views_are_exact): the sample (v, u, t, s) is then
+    /// the pixel in column first().column + s u() + u and row first().row + t v() + v. Lenses that
+    /// the film covers only in part are left out.
     bool is_exact() const;
     PixelPlace first() const;
 
@@ -64,7 +65,7 @@ private:
 /// pixels of all s. If they are not the film's pixels, they are interpolated bilinearly between the
 /// centres of film pixels, in linear light, as parallel_views does; black (transparent) where there
 /// is no film. `threads` and `progress` as in replay; returns nothing if `progress` stopped the
-/// work. Throws std::invalid_argument if they are more than 2^31 - 1 pixels one way.
+/// work.
 std::optional<Image> light_field_samples(const Frame& frame, const LightFieldAxes& axes,
                                          int threads = 0, const Progress& progress = {});
 

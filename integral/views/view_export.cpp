@@ -68,11 +68,10 @@ struct SeenShape {
 FittedView view_to_look_at(const ViewExport& requested, const FrameMetadata& metadata,
                            SeenShape shape)
 {
-    constexpr int default_longer_side = 500;
     FittedView made;
     if (shape.stated)
         made.picture = fit_part(made.view, metadata, *shape.stated, requested.fit);
-    set_view_size(made.view, metadata.film, default_longer_side);
+    set_view_size(made.view, metadata.film, default_longer_side_of_view);
     if (!requested.size)
         return made;
     made.view.width = requested.size->width;

@@ -18,6 +18,7 @@
 namespace integral {
 
 constexpr int largest_picture_side = 32768; ///< pixels, of a view and of a quilt
+constexpr int default_longer_side_of_view = 500; ///< pixels, of a view that is not parallel
 
 enum class ViewKind {
     parallel, ///< of infinitely distant eyes, a pixel a lens
@@ -30,8 +31,8 @@ struct ViewExport {
     std::string output;
     std::string sheet;             ///< a file with the frames' geometry; "": the frames have it
     std::optional<ViewGrid> grid;  ///< nothing: natural_views
-    std::optional<PixelSize> size; ///< of a view, unless it is parallel; nothing: 500 pixels on the
-                                   ///< longer side
+    std::optional<PixelSize> size; ///< of a view, unless it is parallel; nothing:
+                                   ///< default_longer_side_of_view
     ViewKind kind = ViewKind::parallel;
     bool files = false;          ///< a file for each view, in place of a quilt
     Fit fit = Fit::contain;      ///< of the film, where the quilt's name, or `size` with square

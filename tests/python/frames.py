@@ -5,8 +5,11 @@ import json
 import math
 import pathlib
 import pickle
-import subprocess
 import os
+import struct
+import subprocess
+import warnings
+import zlib
 
 import numpy as np
 
@@ -67,6 +70,11 @@ def test_arrays_of_any_strides_become_frames():
         else:
             near(again, image, 1e-7)
     assert json.loads(json.dumps(frame.metadata))["aperture"]["width_mm"] is None
+    for kind in ("u2", "f4"):
+        values = (large[..., :3] / 255 if kind == "f4" else large[..., :3]).astype("<" + kind)
+        for order in "<>":
+            integral.Frame(values.astype(order + kind), *geometry).write(f"order{kind}.tiff")
+            same(integral.read(f"order{kind}.tiff").image, values.astype(kind))
 
 
 def test_frames_pickle_and_copy():
@@ -94,6 +102,21 @@ def test_notices_about_files_are_warnings():
     pathlib.Path("cut.jpg").write_bytes(pair[:pair.index(b"\xff\xd9") - 100])
     frame = warns("Premature end of JPEG file", integral.read, "cut.jpg")
     assert frame.metadata is None and frame.image.shape == (360, 600, 3)
+    # Those of a call that fails come with it, not with the next; its error goes first.
+    whole = integral.read("whole.png")
+    geometry = copy.deepcopy(whole.metadata)
+    geometry["film"]["width"] = 7
+    pathlib.Path("narrow.json").write_text(json.dumps(geometry))
+    png, profile = pathlib.Path("whole.png").read_bytes(), b"iCCPx\0\0" + zlib.compress(b"none")
+    profile = struct.pack(">I", len(profile) - 4) + profile + struct.pack(">I", zlib.crc32(profile))
+    for name, kind in (("always.png", "always"), ("error.png", "error")):
+        pathlib.Path(name).write_bytes(png[:33] + profile + png[33:])  # behind IHDR
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter(kind)
+            raises(integral.InputError, "7x90", integral.read, name, "narrow.json")
+            assert len(caught) == (kind == "always"), (kind, caught)
+            whole.linear()
+        assert len(caught) == (kind == "always"), (kind, caught)
 
 
 def test_wrong_arrays_and_values_are_refused_in_words():

@@ -32,6 +32,36 @@ def test_replay_refuses_in_words():
     raises(TypeError, "", integral.replay, frame, eye="left")
 
 
+def test_numbers_out_of_range_are_refused_before_the_work():
+    frame, nan = integral.read("whole.png"), math.nan
+    parts, huge = (frame.sheet, frame.film, frame.aperture), 2_000_000_000
+    for sentence, call, words in (
+            ("eye nan: a number from -1000000000 to 1000000000 is expected", integral.replay, {"eye": (nan, 0, 300)}),
+            ("part -1: ", integral.replay, {"part": (0, 0, -1, nan)}),
+            ("part nan: ", integral.replay, {"part": (0, 0, 1, nan)}),
+            ("size 2000000000: a number from 1 to 32768", integral.replay, {"size": (huge, huge)}),
+            ("focus nan: ", integral.replay, {"focus": nan}),
+            ("film_gap nan: ", integral.replay, {"film_gap": nan}),
+            ("samples 65: a number from 1 to 64", integral.replay, {"samples": 65}),
+            ("threads -3: a number from 0 to 1024", integral.replay, {"threads": -3}),
+            ("size 2000000000: ", integral.views, {"eyes": True, "size": (huge, huge)}),
+            ("number of directions 257: a number from 1 to 256", integral.views, {"grid": (1, 257)}),
+            ("grid 0: ", integral.interlace, {"panel": "thesis-lcd", "grid": (0, 1)}),
+            ("width -5: a number from 0 to 32768", integral.depth, {"width": -5}),
+            ("width 0: a number from 1 to 32768", integral.refocus, {"focus": 0, "pupil": 3, "width": 0}),
+            ("width 40000: ", integral.refocus, {"focus": 0, "pupil": 3, "width": 40000}),
+            ("pupil -5: a number from 0 to 1000000", integral.refocus, {"focus": 0, "pupil": -5})):
+        error = raises(ValueError, sentence, call, frame, **words)
+        assert "--" not in str(error), error
+    for sentence, words in (("sheet_distance -5: ", {"sheet_distance": -5}),
+                            ("parallax nan: ", {"parallax": nan}), ("parallax 0: ", {"parallax": 0}),
+                            ("budgets nan: ", {"budgets": nan})):
+        raises(ValueError, sentence, integral.fit, [50, 150], *parts, **words)
+    for sentence, words in (("depths -5: ", {"depths": [-5, nan]}), ("depths nan: ", {"depths": [5, nan]}),
+                            ("pupil -3: ", {"pupil": -3})):
+        raises(ValueError, sentence, integral.sheet_figures, *parts, **words)
+
+
 def test_long_work_reports_and_stops():
     frame = integral.read("squares.png")
     calls = []

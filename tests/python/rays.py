@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Cameras and light fields against closed forms, and against what the renderer drew."""
 import pickle
+import signal
 
 import numpy as np
 
@@ -93,8 +94,37 @@ def test_cameras_pickle_and_refuse():
     raises(ValueError, "differ in number", camera.pixels_seen, [[0, 0, 1]], [[0, 0, 1], [0, 1, 1]])
     raises(ValueError, "sheet.arrangement must be lenticular, square or hexagonal", integral.Camera,
            integral.LensSheet("cubic"), integral.Film.of_dpi(300, 10, 10), integral.Aperture(300))
+    raises(ValueError, "the film has no width and height; give the frame's pixels", integral.Camera,
+           integral.LensSheet(), integral.Film.of_dpi(300), integral.Aperture(300))
+    raises(ValueError, "threads -3: a number from 0 to 1024", camera.rays, [[1, 2]], -3)
     places, _ = camera.pixels_seen([[0, 0, -300]], [[1, 0, 0]])
     assert np.isnan(places).all()
+
+
+def test_documents_are_copies():
+    frame, camera, _ = rays_of("squares")
+    expected, field = frame.lightfield().imaged, frame.lightfield()
+    camera.document["film"]["width"] = 7
+    assert camera.document["film"]["width"] == 120
+    frame.metadata["aperture"]["distance_mm"] = 20
+    same(field.imaged, expected)
+
+
+def test_signals_reach_python_during_many_rays():
+    _, camera, rays = rays_of("round")
+    signals = []
+    signal.signal(signal.SIGALRM, lambda *_: signals.append(1))
+    signal.setitimer(signal.ITIMER_REAL, 0.02, 0.02)
+    pixels = camera.pixel_centres()
+    most = 0  # signals in one call: one after it, without those during it
+    while most < 4 and len(pixels) < 10_000_000:
+        pixels = np.concatenate([pixels, pixels])
+        signals.clear()
+        found = camera.rays(pixels, threads=1)
+        most = max(most, len(signals))
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    assert most >= 4, (most, len(pixels))
+    same(found.lenses[-len(rays.lenses):], rays.lenses)
 
 
 def light_field(name):
@@ -144,7 +174,12 @@ def test_axes_of_a_light_field():
     near(field.poles_mm[2, :, 0], field.s_mm, 1e-12)
     coarse = frame.lightfield((4, 3))
     assert coarse.samples.shape[:2] == (3, 4) and not coarse.is_view
-    raises(ValueError, "must be 1 or more", frame.lightfield, (0, 3))
+    for number in (0, 20000):
+        raises(ValueError, f"number of directions {number}: a number from 1 to 4096",
+               frame.lightfield, (number, 3))
+    raises(ValueError, "too many samples; choose fewer directions, at most 4096 one way",
+           integral.Frame(np.zeros((300, 4, 3), np.uint8), integral.LensSheet("square", 0.2, 2, 1.5),
+                          integral.Film((0.1, 0.1)), frame.aperture).lightfield, (4096, 4096))
 
 
 def test_hexagonal_rows_are_shifted_by_half_a_pitch():

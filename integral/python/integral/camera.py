@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """The rays of a frame's pixels, and the pixels of rays."""
+import copy
 from typing import Any, NamedTuple, Tuple
 
 import numpy as np
@@ -62,7 +63,7 @@ class Camera:
     @property
     def document(self) -> Document:
         """The geometry, as in frames' files."""
-        return dict(self._made)
+        return copy.deepcopy(self._made)
 
     def rays(self, pixels: Any, threads: int = 0) -> Rays:
         """The rays of places on the film, an array [n, 2]; `pixel_centres` gives those of all

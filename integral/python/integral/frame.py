@@ -102,7 +102,7 @@ class Frame:
                     progress: Progress = None) -> LightField:
         """The frame as L[v, u, t, s, channel], with the axes in mm: see LightField.
 
-        directions  numbers of u and v; None: the film's pixels behind a lens, rounded
+        directions  numbers of u and v, 1 to 4096; None: the film's pixels behind a lens, rounded
         """
         place, samples, axes = _integral.light_field(self, directions, threads, progress)
         if place is not None:
@@ -111,7 +111,7 @@ class Frame:
             samples = part.reshape(t, v, s, u, -1).transpose(1, 3, 0, 2, 4)  # a view
         u_mm, v_mm, s_mm, t_mm, aperture_mm, poles_mm = axes
         return LightField(samples, place is not None, u_mm, v_mm, s_mm, t_mm, aperture_mm, poles_mm,
-                          self._geometry(), directions)
+                          copy.deepcopy(self._geometry()), directions)
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the frame as PNG, OpenEXR or TIFF, by the path's ending, with its geometry and

@@ -100,6 +100,5 @@ def fit(distances: Any, sheet: LensSheet, film: Film, aperture: Aperture, budget
                     math.inf where there is no surface
     sheet_distance, parallax  fixed if given; only the other is chosen
     """
-    flat = np.ravel(np.asarray(distances, dtype=float)).tolist()
-    return Fit(*_integral.fit(flat, _document(sheet, film, aperture), budgets, sheet_distance,
-                              parallax))
+    return Fit(*_integral.fit(np.asarray(distances, dtype=float), _document(sheet, film, aperture),
+                              budgets, sheet_distance, parallax))
