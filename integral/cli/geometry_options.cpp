@@ -37,13 +37,27 @@ void set_lpi(const SheetOptions& given, LensSheet& sheet)
     }
 }
 
+/// Sets the film's pixels for a print of a size in mm. Throws UsageError with `subject` and
+/// `advice` if there are too many.
+void set_print_size(Vec2 size, const std::string& subject, const std::string& advice, Film& film)
+{
+    const double width = size.x / film.pixel_pitch.x, height = size.y / film.pixel_pitch.y;
+    if (std::max(width, height) > largest_film_side)
+        throw UsageError(subject +
+                         " has more than 1000000 pixels across or down at this "
+                         "resolution" +
+                         advice);
+    film.width = std::max(1, int(std::lround(width)));
+    film.height = std::max(1, int(std::lround(height)));
+}
+
 /// Gives the film the default size of a print of a picture's shape.
 void set_default_size(const std::string& picture, Film& film)
 {
     const auto [width, height] = picture_size(picture);
     const double scale = longer_side / std::max(width, height);
-    film.width = std::max(1, int(std::lround(width * scale / film.pixel_pitch.x)));
-    film.height = std::max(1, int(std::lround(height * scale / film.pixel_pitch.y)));
+    set_print_size(scale * Vec2{double(width), double(height)}, picture + ": a print 152.4 mm long",
+                   "; give --print or --size", film);
 }
 
 } // namespace
@@ -168,13 +182,8 @@ Vec2 parse_paper_size(const char* option, const std::string& text)
 
 void set_film_size(const char* option, const std::string& text, Film& film)
 {
-    const Vec2 size = parse_paper_size(option, text);
-    const double width = size.x / film.pixel_pitch.x, height = size.y / film.pixel_pitch.y;
-    if (std::max(width, height) > largest_film_side)
-        throw UsageError(std::string("--") + option + " " + text +
-                         ": it has more than 1000000 pixels across or down at this resolution");
-    film.width = std::max(1, int(std::lround(width)));
-    film.height = std::max(1, int(std::lround(height)));
+    set_print_size(parse_paper_size(option, text), std::string("--") + option + " " + text + ": it",
+                   "", film);
 }
 
 void change_film(const FilmOptions& given, const std::optional<std::string>& print, Film& film)

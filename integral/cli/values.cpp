@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <set>
 
 namespace integral {
 namespace {
@@ -207,9 +209,19 @@ void check_depth_name(const char* option, const std::string& path)
 
 void check_outputs(std::initializer_list<std::optional<std::string>> paths)
 {
-    for (const auto& path : paths)
-        if (path)
-            check_writable(*path);
+    std::set<std::filesystem::path> files;
+    for (const auto& path : paths) {
+        if (!path)
+            continue;
+        check_writable(*path);
+        std::error_code unknown;
+        std::filesystem::path file = std::filesystem::weakly_canonical(
+            std::filesystem::absolute(*path, unknown), unknown);
+        if (unknown)
+            file = *path;
+        if (*path != "-" && !files.insert(file).second)
+            throw UsageError(*path + " is the name of two outputs; give each its own");
+    }
 }
 
 int in_range(const char* option, int value, int least, int most)

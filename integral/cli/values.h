@@ -97,7 +97,8 @@ void check_picture(const std::string& path);
 /// Throws UsageError unless an option's path ends in .exr, as a depth frame's does.
 void check_depth_name(const char* option, const std::string& path);
 
-/// Checks the given paths before long work. Throws OutputError if one cannot be written.
+/// Checks the given paths before long work. Throws OutputError if one cannot be written, and
+/// UsageError if two are one file; "-" may stand twice.
 void check_outputs(std::initializer_list<std::optional<std::string>> paths);
 
 constexpr int most_views_a_side = 256;

@@ -63,8 +63,8 @@ std::string difference(const Json& reference, const Json& result, const std::str
 
 } // namespace
 
-std::string geometry_difference(const std::optional<FrameMetadata>& reference,
-                                const std::optional<FrameMetadata>& result)
+std::string geometry_difference_text(const std::optional<FrameMetadata>& reference,
+                                     const std::optional<FrameMetadata>& result)
 {
     if (!reference || !result)
         return !reference && !result ? ""

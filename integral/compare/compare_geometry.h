@@ -15,8 +15,8 @@ namespace integral {
 /// because compilers round differently. Fields about rendering (program, scene, seconds, samples,
 /// error, mapping) do not count, except for lens model, pseudoscopic and prefilter, which affect
 /// how the frame is to be viewed.
-std::string geometry_difference(const std::optional<FrameMetadata>& reference,
-                                const std::optional<FrameMetadata>& result);
+std::string geometry_difference_text(const std::optional<FrameMetadata>& reference,
+                                     const std::optional<FrameMetadata>& result);
 
 } // namespace integral
 

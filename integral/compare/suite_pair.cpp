@@ -63,7 +63,7 @@ void compare_frames(SuitePair& pair, const Frame& reference, const Frame& result
     if (pair.rules.seen && reference.metadata && result.metadata)
         pair.figures->seen = std::make_shared<SeenFigures>(
             compare_seen(reference, result, pair.rules));
-    const std::string other = geometry_difference(reference.metadata, result.metadata);
+    const std::string other = geometry_difference_text(reference.metadata, result.metadata);
     if (!other.empty())
         pair.faults.push_back(other);
     const auto missed = missed_limits(pair.limits, *pair.figures);

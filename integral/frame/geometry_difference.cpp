@@ -34,6 +34,13 @@ std::optional<GeometryDifference> difference(const std::string& name, const Json
     return std::nullopt;
 }
 
+/// The fields of `render` that the lines of sight depend on.
+Json rays_of(const FrameMetadata& metadata)
+{
+    const RenderRecord render = metadata.render.value_or(RenderRecord());
+    return {{"model", name_of(render.model)}, {"pseudoscopic", render.pseudoscopic}};
+}
+
 } // namespace
 
 std::optional<GeometryDifference> geometry_difference(const FrameMetadata& a,
@@ -43,7 +50,9 @@ std::optional<GeometryDifference> geometry_difference(const FrameMetadata& a,
         return found;
     if (auto found = difference("film", json_of(a.film), json_of(b.film)))
         return found;
-    return difference("aperture", json_of(a.aperture), json_of(b.aperture));
+    if (auto found = difference("aperture", json_of(a.aperture), json_of(b.aperture)))
+        return found;
+    return difference("render", rays_of(a), rays_of(b));
 }
 
 } // namespace integral

@@ -16,9 +16,10 @@ struct GeometryDifference {
     std::string field, first, second;
 };
 
-/// The first field of sheet, film or aperture in which two geometries differ. Numbers count as
-/// equal if they differ by at most 1e-9 of the larger magnitude, or 1e-9 if both are below 1.
-/// Nothing: a pixel of one has the same line of sight in the other.
+/// The first field of sheet, film or aperture in which two geometries differ, or render.model or
+/// render.pseudoscopic (of geometries without a render: the defaults). Numbers count as equal if
+/// they differ by at most 1e-9 of the larger magnitude, or 1e-9 if both are below 1. Nothing: a
+/// pixel of one has the same line of sight in the other.
 std::optional<GeometryDifference> geometry_difference(const FrameMetadata& first,
                                                       const FrameMetadata& second);
 

@@ -76,7 +76,7 @@ Image seen_of(const Frame& frame, View view)
 bool same_to_eyes(const Frame& a, const Frame& b)
 {
     return same_form(a.image, b.image) && a.image.samples == b.image.samples &&
-           geometry_difference(a.metadata, b.metadata).empty();
+           geometry_difference_text(a.metadata, b.metadata).empty();
 }
 
 /// The width of a view's pixel on the sheet, mm: a 60th of a degree, but no less than the film's

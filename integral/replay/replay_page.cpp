@@ -195,7 +195,7 @@ TemplatePieces comparison_pieces(const ComparedPictures& pictures, bool keys_for
     if (obstacle.empty()) {
         second_view.blur = 0;
         set_as_seen(second_view, *second->metadata);
-        const std::string other = geometry_difference(first->metadata, second->metadata);
+        const std::string other = geometry_difference_text(first->metadata, second->metadata);
         if (!other.empty())
             start["note"] = "The result's geometry differs: " + other + ".";
         if (const auto& worst = pictures.worst)

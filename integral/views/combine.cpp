@@ -4,8 +4,11 @@
 #include "integral/base/interrupt.h"
 #include "integral/frame/geometry_difference.h"
 #include "integral/io/frame_rows.h"
+#include "integral/views/covered_means.h"
+#include "integral/views/made_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -39,6 +42,9 @@ std::unique_ptr<CombinedFrame> read_one(const std::string& path, const std::stri
     auto frame = std::make_unique<CombinedFrame>(path);
     frame->file.require_metadata();
     frame->file.refuse_projection();
+    const auto& render = frame->file.frame().metadata->render;
+    if (render && render->draft > 1)
+        throw InputError(path + ": it is a draft; render it without Integral_Draft");
     const std::string depth = given_depth.empty() ? depth_beside(path) : given_depth;
     if (given_depth.empty() && !std::filesystem::exists(depth))
         throw InputError(path + ": its depth frame " + depth +
@@ -60,7 +66,7 @@ struct Part {
 struct Merged {
     Colour colour{0, 0, 0, 0};
     float depth = 0;
-    std::size_t nearest = 0; ///< the frame that the depth is of
+    std::size_t nearest = 0; ///< index of the frame that supplies the depth
 };
 
 /// Sorts the parts from the front to the back and merges them.
@@ -77,10 +83,10 @@ Merged merged(std::vector<Part>& parts)
     }
     float open = 1; // the share of light that the parts so far let through
     for (const Part& part : parts) {
-        const Colour& c = part.colour;
-        all.colour = {all.colour.r + open * c.r, all.colour.g + open * c.g,
-                      all.colour.b + open * c.b, all.colour.a + open * c.a};
-        open *= 1 - c.a;
+        if (!(open > 0))
+            break;
+        add(all.colour, open, part.colour);
+        open *= 1 - part.colour.a;
     }
     return all;
 }
@@ -88,7 +94,7 @@ Merged merged(std::vector<Part>& parts)
 /// The frames, read some rows at a time, and their merged depth.
 class Merger {
 public:
-    explicit Merger(const CombineRequest& request)
+    explicit Merger(const CombineRequest& request) : keeps_depths_(!request.depth_output.empty())
     {
         for (std::size_t k = 0; k < request.frames.size(); ++k) {
             stop_if_interrupted();
@@ -96,10 +102,6 @@ public:
                 read_one(request.frames[k], request.depths.empty() ? "" : request.depths[k]));
             check_same(request.frames[k], metadata(k), request.frames[0], metadata(0));
         }
-        depths_.metadata = metadata(0);
-        const std::size_t pixels = frames_[0]->depths.depth.size();
-        depths_.depth.resize(pixels);
-        depths_.imaged.resize(pixels);
         shares_.resize(frames_.size());
     }
 
@@ -118,8 +120,9 @@ public:
             transparent = transparent && frame->file.frame().image.channels == 4;
         }
         const Image& first = frames_[0]->file.frame().image;
-        Image form = form_of(bits.value_or(most), first.width, first.height, transparent ? 4 : 3,
-                             first.encoding);
+        const int stored = bits.value_or(most);
+        Image form = form_of(stored, first.width, first.height, transparent ? 4 : 3,
+                             encoding_of_made(stored, first));
         form.premultiplied = transparent && first.premultiplied;
         return form;
     }
@@ -145,15 +148,21 @@ public:
                     bool imaged = false;
                     for (std::size_t k = 0; k < parts.size(); ++k) {
                         const DepthFrame& own = frames_[k]->depths;
-                        imaged = imaged || own.imaged[pixel] > 0;
-                        parts[k] = {own.imaged[pixel] > 0 ? own.depth[pixel]
-                                                          : std::numeric_limits<float>::infinity(),
+                        const bool shows = own.imaged[pixel] > 0;
+                        imaged = imaged || shows;
+                        parts[k] = {shows && !std::isnan(own.depth[pixel])
+                                        ? own.depth[pixel]
+                                        : std::numeric_limits<float>::infinity(),
                                     k, light[k](x, y)};
+                        parts[k].colour.a = share_of(parts[k].colour.a);
                     }
                     const Merged all = merged(parts);
                     store_linear(band, x, y, all.colour);
-                    depths_.imaged[pixel] = imaged ? 1 : 0;
-                    depths_.depth[pixel] = imaged ? all.depth : 0;
+                    if (keeps_depths_) {
+                        DepthFrame& merged_depths = frames_[0]->depths;
+                        merged_depths.imaged[pixel] = imaged ? 1 : 0;
+                        merged_depths.depth[pixel] = imaged ? all.depth : 0;
+                    }
                     nearest[all.nearest] += imaged ? 1 : 0;
                 }
                 add_shares(nearest);
@@ -161,7 +170,8 @@ public:
             progress);
     }
 
-    const DepthFrame& depths() const { return depths_; }
+    /// Moves the merged depths out; drawn only if CombineRequest::depth_output is set.
+    DepthFrame take_depths() { return std::move(frames_[0]->depths); }
 
     /// The frames' shares of the imaged pixels.
     CombinedShares shares() const
@@ -183,8 +193,8 @@ private:
             shares_[k] += row[k];
     }
 
+    bool keeps_depths_; ///< merged depths replace those of the first frame, pixel by pixel
     std::vector<std::unique_ptr<CombinedFrame>> frames_;
-    DepthFrame depths_;
     CombinedShares shares_; ///< in pixels
     std::mutex mutex_;
 };
@@ -201,16 +211,15 @@ CombinedShares write_combined(const CombineRequest& request, const Progress& pro
 {
     Merger merger(request);
     FrameMetadata geometry = merger.metadata(0);
-    geometry.placement.reset(); // the frame does not show one rendered scene
-    geometry.parallax.reset();
-    geometry.render.reset();
+    remove_scene(geometry);
     Frame form{merger.form(request.bits), std::nullopt};
     geometry.encoding = form.image.encoding;
     set_metadata(form, geometry);
     write_drawn_rows(request.output, merger, form, request.threads, progress);
     if (!request.depth_output.empty()) {
-        DepthFrame depths = merger.depths();
+        DepthFrame depths = merger.take_depths();
         depths.metadata = geometry;
+        depths.eye_distances.clear();
         write_depths(request.depth_output, depths);
     }
     return merger.shares();

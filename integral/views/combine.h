@@ -32,8 +32,9 @@ using CombinedShares = std::vector<double>;
 /// their depths, at equal depths as they are given; each covers those behind it by its alpha, in
 /// linear light. Frames without alpha are opaque. The depth of a pixel is that of the nearest frame
 /// whose alpha there is at least 1/2 or, if there is none, of the nearest. The new document
-/// contains no placement, parallax or render. Throws std::invalid_argument for frames of different
-/// geometry, InputError, OutputError, and Interrupted if `progress` stops the work.
+/// contains neither placement nor parallax, and of render only what lines of sight depend on.
+/// Throws std::invalid_argument for frames of different geometry, InputError, OutputError, and
+/// Interrupted if `progress` stops the work.
 CombinedShares write_combined(const CombineRequest& request, const Progress& progress);
 
 } // namespace integral

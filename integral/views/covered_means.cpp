@@ -30,9 +30,10 @@ std::vector<Covered> covered_by(int old_side, int new_side)
     return all;
 }
 
-void add(Colour& sum, float weight, Colour c)
+Colour finite(Colour c)
 {
-    sum = {sum.r + weight * c.r, sum.g + weight * c.g, sum.b + weight * c.b, sum.a + weight * c.a};
+    const auto f = [](float v) { return std::isfinite(v) ? v : 0; };
+    return {f(c.r), f(c.g), f(c.b), share_of(c.a)};
 }
 
 } // namespace
@@ -53,7 +54,7 @@ Image covered_means(const Image& picture, int width, int height, int threads)
         std::vector<Colour> row(picture.width, Colour{0, 0, 0, 0});
         for (std::size_t j = 0; j < down[y].weights.size(); ++j)
             for (int x = 0; x < picture.width; ++x)
-                add(row[x], down[y].weights[j], light(x, down[y].first + int(j)));
+                add(row[x], down[y].weights[j], finite(light(x, down[y].first + int(j))));
         for (int x = 0; x < width; ++x) {
             Colour mean{0, 0, 0, 0};
             for (std::size_t i = 0; i < across[x].weights.size(); ++i)

@@ -5,6 +5,7 @@
 #include "integral/io/frame_rows.h"
 #include "integral/io/image_file.h"
 #include "integral/replay/arrange.h"
+#include "integral/views/made_frame.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -76,11 +77,10 @@ Inputs read_pictures(const PictureFlip& flip)
         }
         all.pictures.push_back(std::move(picture));
     }
-    all.form = form_of(flip.bits.value_or(bits), geometry.film.width, geometry.film.height,
-                       transparent ? 4 : 3, all.form.encoding);
-    geometry.placement.reset(); // the frame does not show one rendered scene
-    geometry.parallax.reset();
-    geometry.render.reset();
+    bits = flip.bits.value_or(bits);
+    all.form = form_of(bits, geometry.film.width, geometry.film.height, transparent ? 4 : 3,
+                       encoding_of_made(bits, all.form));
+    remove_scene(geometry);
     geometry.encoding = all.form.encoding;
     return all;
 }

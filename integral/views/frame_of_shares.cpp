@@ -16,15 +16,6 @@ ZoneAxis zone_axis(const LensSheet& sheet)
     return lenses_lie_across(sheet) ? ZoneAxis::upwards : ZoneAxis::sideways;
 }
 
-namespace {
-
-void add(Colour& sum, float weight, Colour c)
-{
-    sum = {sum.r + weight * c.r, sum.g + weight * c.g, sum.b + weight * c.b, sum.a + weight * c.a};
-}
-
-} // namespace
-
 Image for_lenses(const Image& picture, const FittedPicture& fit, const FrameMetadata& geometry,
                  int threads)
 {

@@ -2,11 +2,13 @@
 #include "integral/views/layers.h"
 
 #include "integral/base/number_text.h"
+#include "integral/frame/names.h"
 #include "integral/io/frame_rows.h"
 #include "integral/io/image_file.h"
 #include "integral/replay/arrange.h"
 #include "integral/sheet/depth_advice.h"
 #include "integral/sheet/sheet_report.h"
+#include "integral/views/made_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,27 +51,33 @@ LayerSharpness sharpness_at(double distance, std::optional<double> budget)
                                      : LayerSharpness::beyond;
 }
 
-/// The BareEdge of the farthest layer, if it has one. `zone`: width and height.
+/// The BareEdge of the farthest layer, if it has one. `shape`: the picture's; `zone`: width and
+/// height.
 std::optional<BareEdge> bare_edge(const PictureLayer& layer, const LayerWindow& window,
-                                  const FrameMetadata& geometry, Vec2 zone)
+                                  double shape, const FrameMetadata& geometry, Vec2 zone)
 {
     constexpr double tolerance = 0.01; // of the film; fitted pictures may differ by that much
     const double parallax = layer_parallax(layer.distance, geometry.aperture.distance);
     const Vec2 film = size_of(geometry.film);
     BareEdge bare{layer.path};
-    double factor = 1;
-    const auto side = [&](double picture, double middle, double target, double extent) {
+    bool fills = true;
+    const auto filling = [&](double picture, double middle, double target, double extent) {
         const double beside = 0.5 * picture - std::fabs(middle) - 0.5 * target, // from the middle
             needed = 0.5 * std::fabs(parallax) * extent;
         bare.margin = std::max(bare.margin, needed - beside);
-        factor = std::max(factor, (target + 2 * (needed + std::fabs(middle))) / picture);
-        return beside >= -tolerance * target;
+        fills = fills && beside >= -tolerance * target;
+        return target + 2 * (needed + std::fabs(middle));
     };
-    const bool fills = side(window.size.x, window.middle.x, film.x, zone.x) &
-                       side(window.size.y, window.middle.y, film.y, zone.y);
-    bare.width = factor * window.size.x;
+    const Vec2 least{filling(window.size.x, window.middle.x, film.x, zone.x),
+                     filling(window.size.y, window.middle.y, film.y, zone.y)};
     if (!fills || bare.margin <= tolerance * std::min(film.x, film.y))
         return std::nullopt;
+    const double ratio = window.size.x / window.size.y / shape;
+    bare.stretched = (layer.width && layer.height) || std::fabs(ratio - 1) > tolerance;
+    const Vec2 unit = bare.stretched ? window.size : Vec2{shape, 1};
+    const double scale = std::max(least.x / unit.x, least.y / unit.y);
+    bare.width = scale * unit.x;
+    bare.height = scale * unit.y;
     return bare;
 }
 
@@ -103,8 +111,9 @@ Inputs read_layers(const LayersRequest& request, LayersView& view)
         const Image image = layer_image(layer);
         bits = std::max(bits, sample_bits(image));
         if (all.layers.empty())
-            all.form.encoding = image.encoding;
-        const LayerWindow window = window_of(layer, double(image.width) / image.height, request);
+            all.form = form_of(image);
+        const double shape = double(image.width) / image.height;
+        const LayerWindow window = window_of(layer, shape, request);
         const double there = (viewing + layer.distance) / viewing,
                      parallax = layer_parallax(layer.distance, viewing);
         view.layers.push_back({layer.path, layer.distance, there * window.size,
@@ -112,22 +121,36 @@ Inputs read_layers(const LayersRequest& request, LayersView& view)
                                sharpness_at(layer.distance, view.budget)});
         if (!farthest || layer.distance > farthest->distance) {
             farthest = &layer;
-            view.bare = bare_edge(layer, window, geometry, zone);
+            view.bare = bare_edge(layer, window, shape, geometry, zone);
         }
         all.layers.push_back(drawn_layer(image, layer.distance, window, geometry, request.threads));
     }
-    if (format_for(request.output) == ImageFormat::exr)
-        all.form.encoding = {Encoding::Kind::linear, 1};
-    all.form = form_of(
-        format_for(request.output) == ImageFormat::exr ? 32 : request.bits.value_or(bits),
-        geometry.film.width, geometry.film.height, request.transparent ? 4 : 3, all.form.encoding);
+    const bool exr = format_for(request.output) == ImageFormat::exr;
+    bits = exr ? 32 : request.bits.value_or(bits);
+    all.form = form_of(bits, geometry.film.width, geometry.film.height, request.transparent ? 4 : 3,
+                       exr ? Encoding{Encoding::Kind::linear, 1}
+                           : encoding_of_made(bits, all.form));
     return all;
+}
+
+/// Throws std::invalid_argument unless layers can be drawn for the lenses of a start geometry.
+void check_rays(const FrameMetadata& geometry)
+{
+    const RenderRecord render = geometry.render.value_or(RenderRecord());
+    if (render.model != LensModel::extended_pinhole)
+        throw std::invalid_argument(std::string("the sheet's render.model is ") +
+                                    name_of(render.model) +
+                                    "; start from a frame of the model extended_pinhole");
+    if (render.pseudoscopic)
+        throw std::invalid_argument("the sheet is of a pseudoscopic frame; start from a frame "
+                                    "that is not");
 }
 
 } // namespace
 
 LayersView write_layers(const LayersRequest& request, const Progress& progress)
 {
+    check_rays(request.geometry);
     for (const PictureLayer& layer : request.layers)
         check_distance(layer, request.geometry.aperture.distance);
     LayersView view;
@@ -142,13 +165,10 @@ LayersView write_layers(const LayersRequest& request, const Progress& progress)
     const FrameOfLayers drawing(std::move(inputs.layers), geometry, request.transparent);
     const bool has_depth = !request.depth_output.empty();
     const int steps = has_depth ? 2 : 1;
-    std::optional<DepthFrame> depths;
+    write_drawn_rows(request.output, drawing, form, request.threads, piece_of(progress, 0, steps));
     if (has_depth)
-        depths = drawing.depths(request.threads, piece_of(progress, 0, steps));
-    write_drawn_rows(request.output, drawing, form, request.threads,
-                     piece_of(progress, steps - 1, steps));
-    if (depths)
-        write_depths(request.depth_output, *depths);
+        write_depths(request.depth_output,
+                     drawing.depths(request.threads, piece_of(progress, 1, steps)));
     return view;
 }
 

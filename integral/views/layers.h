@@ -58,7 +58,8 @@ struct LayerFigures {
 struct BareEdge {
     std::string name;
     double margin = 0; ///< mm of the film beside the layer, for an eye at the zone's edge
-    double width = 0; ///< PictureLayer::width, mm, with which the layer fills the film for all eyes
+    double width = 0, height = 0; ///< of the layer, mm, with which it fills the film for all eyes
+    bool stretched = false; ///< PictureLayer needs both; else its height follows from its width
 };
 
 struct LayersView {

@@ -59,10 +59,12 @@ std::string layers_text(const LayersView& view)
                               with_digits(soft_budgets * *view.budget, 3) + " mm.\n"
                         : "The lenses are too wide for the sheet's thickness to have a depth "
                           "budget.\n";
+    const auto up = [](double mm) { return with_decimals(std::ceil(10 * mm) / 10, 1); };
     if (view.bare)
         text += view.bare->name + " leaves up to " + with_decimals(view.bare->margin, 1) +
                 " mm of the film bare for an eye at the zone's edge; with width=" +
-                with_decimals(std::ceil(10 * view.bare->width) / 10, 1) +
+                up(view.bare->width) +
+                (view.bare->stretched ? ",height=" + up(view.bare->height) : "") +
                 " it fills the film for all eyes.\n";
     return text;
 }
@@ -83,7 +85,8 @@ std::string layers_json(const LayersView& view)
     if (view.bare)
         json["bare"] = {{"picture", view.bare->name},
                         {"margin_mm", view.bare->margin},
-                        {"filling_width_mm", view.bare->width}};
+                        {"filling_width_mm", view.bare->width},
+                        {"filling_height_mm", view.bare->height}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

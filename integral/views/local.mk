@@ -20,6 +20,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/views/layers_text.cpp \
   integral/views/light_field.cpp \
   integral/views/light_field.h \
+  integral/views/made_frame.h \
   integral/views/parallel_views.cpp \
   integral/views/parallel_views.h \
   integral/views/perspective_views.cpp \

@@ -138,35 +138,37 @@ BOOST_AUTO_TEST_CASE(geometry)
     reference.aperture.distance = 300;
     reference.aperture.width = std::numeric_limits<double>::infinity();
     reference.render = RenderRecord();
-    BOOST_TEST(geometry_difference({}, {}) == "");
-    BOOST_TEST(geometry_difference(reference, reference) == "");
-    BOOST_TEST(geometry_difference(reference, {}) == "it has no geometry, its reference has");
-    BOOST_TEST(geometry_difference({}, reference) == "it has geometry, its reference has none");
+    BOOST_TEST(geometry_difference_text({}, {}) == "");
+    BOOST_TEST(geometry_difference_text(reference, reference) == "");
+    BOOST_TEST(geometry_difference_text(reference, {}) == "it has no geometry, its reference has");
+    BOOST_TEST(geometry_difference_text({}, reference) ==
+               "it has geometry, its reference has none");
 
     FrameMetadata other = reference;
     other.render->seconds = 7;
     other.render->scene = "other.pov";
     other.render->mapping = LensMapping::closest;
     other.sheet.pitch = 1.27 * (1 + 1e-12);
-    BOOST_TEST(geometry_difference(reference, other) == "");
+    BOOST_TEST(geometry_difference_text(reference, other) == "");
     other.render->pseudoscopic = true;
-    BOOST_TEST(geometry_difference(reference, other) ==
+    BOOST_TEST(geometry_difference_text(reference, other) ==
                "render.pseudoscopic is there, its reference has none");
     other.render.reset(); // unknown values are not compared
-    BOOST_TEST(geometry_difference(reference, other) == "");
+    BOOST_TEST(geometry_difference_text(reference, other) == "");
     other.film.pixel_pitch.y = 0.2;
-    BOOST_TEST(geometry_difference(reference, other) ==
+    BOOST_TEST(geometry_difference_text(reference, other) ==
                "film.pixel_pitch_mm[1] is 0.2, its reference's 0.1");
     other.sheet.arrangement = Arrangement::square;
-    BOOST_TEST(geometry_difference(reference, other) ==
+    BOOST_TEST(geometry_difference_text(reference, other) ==
                "sheet.arrangement is \"square\", its reference's \"lenticular\"");
     other = reference;
     other.aperture.width = 50;
-    BOOST_TEST(geometry_difference(reference, other) ==
+    BOOST_TEST(geometry_difference_text(reference, other) ==
                "aperture.width_mm is 50.0, its reference's null");
     other = reference;
     other.quilt = QuiltRecord();
-    BOOST_TEST(geometry_difference(other, reference) == "quilt is missing, its reference has it");
+    BOOST_TEST(geometry_difference_text(other, reference) ==
+               "quilt is missing, its reference has it");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
