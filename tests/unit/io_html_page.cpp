@@ -29,6 +29,17 @@ BOOST_AUTO_TEST_CASE(text_is_escaped)
     BOOST_TEST(markup_text("\xef\xbf\xbe") == instead + instead + instead);
 }
 
+BOOST_AUTO_TEST_CASE(words_for_a_shell)
+{
+    const char* pairs[][2] = {{"frames/a-1_b.png", "frames/a-1_b.png"},
+                              {"", "''"},
+                              {"my room.png", "'my room.png'"},
+                              {"a*;$b", "'a*;$b'"},
+                              {"Bob's", "'Bob'\\''s'"}};
+    for (const auto& pair : pairs)
+        BOOST_TEST(for_shell(pair[0]) == pair[1]);
+}
+
 BOOST_AUTO_TEST_CASE(base64_of_the_rfc)
 {
     const char* pairs[][2] = {{"", ""},        {"f", "Zg=="},        {"fo", "Zm8="},

@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(a_report_does_not_grow_beyond_its_limit)
     BOOST_TEST(has(suite.pairs[0].comparator, "data-comparison"));
     for (int k : {1, 2}) {
         BOOST_TEST(!has(suite.pairs[k].comparator, "data-comparison"));
-        BOOST_TEST(has(suite.pairs[k].comparator, "integral compare &#39;"));
+        BOOST_TEST(has(suite.pairs[k].comparator, "integral compare "));
         BOOST_TEST(has(suite.pairs[k].comparator, "&#39;\\&#39;&#39;")); // the folder's apostrophe
     }
     BOOST_TEST(suite.pairs[5].comparator == "");
