@@ -18,6 +18,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/interrupt.h \
   integral/base/json.cpp \
   integral/base/json.h \
+  integral/base/json_difference.cpp \
+  integral/base/json_difference.h \
   integral/base/json_fields.cpp \
   integral/base/json_fields.h \
   integral/base/memory.cpp \
@@ -33,4 +35,5 @@ build_lib_libintegral_a_SOURCES += \
   integral/base/programs.cpp \
   integral/base/programs.h \
   integral/base/tabulated_curve.h \
+  integral/base/text_columns.h \
   integral/base/vector_loops.h

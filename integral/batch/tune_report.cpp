@@ -2,6 +2,7 @@
 #include "integral/batch/tune_report.h"
 
 #include "integral/base/number_text.h"
+#include "integral/base/text_columns.h"
 
 #include <nlohmann/json.hpp>
 
@@ -36,11 +37,6 @@ std::string time_text(double seconds)
     if (seconds < 6000)
         return whole(seconds / 60) + " min " + whole(std::fmod(seconds, 60)) + " s";
     return whole(seconds / 3600) + " h " + whole(std::fmod(seconds, 3600) / 60) + " min";
-}
-
-std::string column(const std::string& text, std::size_t width)
-{
-    return std::string(text.size() < width ? width - text.size() : 0, ' ') + text;
 }
 
 /// The goal in words: "an error of at most 0.01 within 60 s".
@@ -82,9 +78,10 @@ std::string tune_text(const std::string& scene, const std::vector<std::string>& 
     for (const TunePoint& point : result.points) {
         std::string row = "  " + name_of(point.setting);
         row.resize(36, ' ');
-        text += row + column(with_decimals(point.error.rms, 4), 11) +
-                column(with_decimals(point.error.low, 4), 10) + "  " +
-                with_decimals(point.error.high, 4) + column(time_text(point.seconds), 14) + "\n";
+        text += row + right_aligned(with_decimals(point.error.rms, 4), 11) +
+                right_aligned(with_decimals(point.error.low, 4), 10) + "  " +
+                with_decimals(point.error.high, 4) + right_aligned(time_text(point.seconds), 14) +
+                "\n";
     }
     if (!goal.error && !goal.seconds)
         return text;

@@ -2,6 +2,7 @@
 #include "integral/laboratory/multiview_text.h"
 
 #include "integral/base/number_text.h"
+#include "integral/base/text_columns.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,11 +12,6 @@ namespace {
 std::string padded(const std::string& text, std::size_t width)
 {
     return text + std::string(text.size() < width ? width - text.size() : 0, ' ');
-}
-
-std::string column(const std::string& text, std::size_t width)
-{
-    return std::string(text.size() < width ? width - text.size() : 0, ' ') + text;
 }
 
 std::string mm(std::optional<double> value)
@@ -46,10 +42,11 @@ std::string seen_line(const SeenFrame& seen)
         at_once = seen.switching->at_once;
         step = seen.switching->step;
     }
-    const auto figure = [](double value) { return column(with_decimals(value, 4), 10); };
-    return padded("  " + seen.name, 25) + column(percent(crosstalk), 10) +
-           column(percent(at_once), 11) + column(mm(step), 12) + figure(seen.greatest_jump) +
-           figure(seen.mean_jump) + figure(seen.mean_error) + figure(seen.worst_error) + "\n";
+    const auto figure = [](double value) { return right_aligned(with_decimals(value, 4), 10); };
+    return padded("  " + seen.name, 25) + right_aligned(percent(crosstalk), 10) +
+           right_aligned(percent(at_once), 11) + right_aligned(mm(step), 12) +
+           figure(seen.greatest_jump) + figure(seen.mean_jump) + figure(seen.mean_error) +
+           figure(seen.worst_error) + "\n";
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "integral/laboratory/resolution_text.h"
 
 #include "integral/base/number_text.h"
+#include "integral/base/text_columns.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,16 +14,11 @@ namespace {
 
 constexpr std::size_t label_width = 24, cell_width = 7;
 
-std::string padded(const std::string& text, std::size_t width)
-{
-    return std::string(width - std::min(width, text.size()), ' ') + text;
-}
-
 std::string line(const std::string& label, const std::vector<std::string>& cells)
 {
     std::string text = label + std::string(label_width - std::min(label_width, label.size()), ' ');
     for (const std::string& cell : cells)
-        text += padded(cell, cell_width);
+        text += right_aligned(cell, cell_width);
     return text + "\n";
 }
 

@@ -2,6 +2,7 @@
 #include "integral/sheet/scene_depth_report.h"
 
 #include "integral/base/number_text.h"
+#include "integral/base/text_columns.h"
 #include "integral/sheet/depth_advice.h"
 #include "integral/sheet/sheet_figures.h"
 #include "integral/sheet/sheet_report.h"
@@ -106,11 +107,6 @@ std::string resolution_at(const DepthFrame& depths, double depth)
     const auto pixels = depth_resolution(depths.metadata.sheet, counted(depths.metadata).pixel,
                                          std::max(1e-9, std::fabs(depth)));
     return pixels ? with_digits(std::min(*pixels, sheet_only), 4) : std::string("-");
-}
-
-std::string right_aligned(const std::string& text, std::size_t width)
-{
-    return std::string(text.size() < width ? width - text.size() : 0, ' ') + text;
 }
 
 } // namespace

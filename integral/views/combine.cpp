@@ -31,7 +31,7 @@ void check_same(const std::string& path, const FrameMetadata& geometry, const st
                 const FrameMetadata& expected)
 {
     if (const auto difference = geometry_difference(geometry, expected))
-        throw std::invalid_argument(path + ": its " + difference->field + " is " +
+        throw std::invalid_argument(path + ": its " + difference->path + " is " +
                                     difference->first + ", and that of " + other + " is " +
                                     difference->second +
                                     "; make both frames for one sheet, film and viewer");

@@ -35,9 +35,9 @@ FrameMetadata geometry_of(const PictureFlip& flip)
                                                          : *metadata;
         if (const auto difference = geometry_difference(*metadata, requested))
             throw std::invalid_argument(
-                path + ": its " + difference->field + " is " + difference->first +
-                ", and that of " + (found ? first : "--sheet and the options") + " is " +
-                difference->second + "; render all frames for one sheet, at one size");
+                path + ": its " + difference->path + " is " + difference->first + ", and that of " +
+                (found ? first : "--sheet and the options") + " is " + difference->second +
+                "; render all frames for one sheet, at one size");
         if (!found)
             first = path;
         found = metadata;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/base/number_text.h"
+#include "integral/base/text_columns.h"
 #include "integral/sheet/depth_advice.h"
 #include "integral/views/layers.h"
 
@@ -16,7 +17,7 @@ using Json = nlohmann::ordered_json;
 /// The text at the right of a column, after at least one blank.
 std::string column(const std::string& text, std::size_t width)
 {
-    return std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
+    return " " + right_aligned(text, width - 1);
 }
 
 std::string place_text(double distance)

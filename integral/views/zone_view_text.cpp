@@ -2,6 +2,7 @@
 #include "integral/views/zone_view.h"
 
 #include "integral/base/number_text.h"
+#include "integral/base/text_columns.h"
 #include "integral/io/html_page.h"
 #include "integral/io/markup.h"
 #include "integral/io/plot.h"
@@ -22,11 +23,6 @@ double angle_of(const ZoneView& view, double place)
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string column(const std::string& text, std::size_t width)
-{
-    return std::string(text.size() < width ? width - text.size() : 0, ' ') + text;
-}
 
 std::string number(double value) { return with_decimals(value, 1); }
 
@@ -74,13 +70,14 @@ std::string zone_view_text(const ZoneView& view, const std::vector<std::string>&
     for (const std::string& name : names)
         width = std::max(width, name.size());
     std::string text = head_text(view) + "\n\n  picture" + std::string(width - 7, ' ') +
-                       column("seen at, mm", 18) + column("degrees", 18) + column("alone at, mm", 18) +
-                       "\n";
+                       right_aligned("seen at, mm", 18) + right_aligned("degrees", 18) +
+                       right_aligned("alone at, mm", 18) + "\n";
     for (const ShareView& part : view.parts) {
         const std::string& name = names[part.picture];
         text += "  " + name + std::string(width - name.size(), ' ') +
-                column(range_text(part.part), 18) + column(angles_text(view, part.part), 18) +
-                column(alone_text(part), 18) + "\n";
+                right_aligned(range_text(part.part), 18) +
+                right_aligned(angles_text(view, part.part), 18) +
+                right_aligned(alone_text(part), 18) + "\n";
     }
     return text + "\n" + ghost_text(view) + "\n";
 }
