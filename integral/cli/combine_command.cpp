@@ -35,16 +35,12 @@ void declare(options::options_description& all, CombineOptions& o)
     declare(all, o.threads);
 }
 
+/// The files of --depth; none if it is not given. Throws UsageError.
 std::vector<std::string> depth_files(const CombineOptions& o)
 {
-    std::vector<std::string> files;
     if (!o.depth)
-        return files;
-    for (std::size_t begin = 0; begin <= o.depth->size();) {
-        const std::size_t comma = std::min(o.depth->find(',', begin), o.depth->size());
-        files.push_back(o.depth->substr(begin, comma - begin));
-        begin = comma + 1;
-    }
+        return {};
+    const std::vector<std::string> files = parts_between_commas(*o.depth);
     if (files.size() != o.inputs.size())
         throw_usage("depth", *o.depth,
                     "a depth frame for each of the " + std::to_string(o.inputs.size()) +
@@ -80,8 +76,7 @@ int run(const CombineOptions& o)
     request.depths = depth_files(o);
     request.output = needed_output(o.output, "FRAME");
     request.depth_output = o.output_depth.value_or("");
-    if (o.bits)
-        request.bits = bits_given(o.bits, 8);
+    request.bits = bits_given(o.bits);
     request.threads = o.threads.count();
     format_for(request.output);
     if (o.output_depth)

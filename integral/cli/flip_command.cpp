@@ -16,11 +16,8 @@ namespace {
 constexpr int most_pictures = 256;
 
 struct FlipOptions : CommonOptions {
-    SheetOptions sheet;
-    FilmOptions film;
-    ApertureOptions aperture;
-    std::optional<std::string> start, print, shares, transition, page, output;
-    std::optional<int> bits;
+    PicturesFrameOptions frame;
+    std::optional<std::string> shares, transition, page, output;
     bool loop = false, there_and_back = false, reverse = false, upwards = false, json = false;
     FitOptions fit;
     ThreadOptions threads;
@@ -47,19 +44,12 @@ void declare(options::options_description& all, FlipOptions& o)
         "a page of what each eye sees, where, and how much of other pictures");
     add(all, "json", o.json, "print the same as JSON");
     declare(all, o.fit);
-    declare(all, o.sheet);
-    declare(all, o.film);
-    add(all, "print", o.print, "WxH",
-        "size of the frame in mm, instead of --size (default: 152.4 on the longer side, of the "
-        "first picture's shape)");
-    declare(all, o.aperture);
-    declare_start_geometry(all, o.start);
-    add(all, "bits", o.bits, "N", "8 or 16 for PNG and TIFF (default: the most of a picture)");
+    declare(all, o.frame);
     declare(all, o.threads);
 }
 
 /// Whether the line gives the frame's sheet and film.
-bool states_geometry(const FlipOptions& o)
+bool states_geometry(const PicturesFrameOptions& o)
 {
     return o.start || o.print || first_given(o.sheet) || o.film.dpi || o.film.pixel_pitch ||
            o.film.size || o.aperture.distance || o.aperture.aperture;
@@ -71,9 +61,9 @@ std::optional<FrameMetadata> geometry_of(const FlipOptions& o)
     const auto is_frame = [](const std::string& path) {
         return FrameReader(path).frame().metadata.has_value();
     };
-    if (!states_geometry(o) && std::any_of(o.inputs.begin(), o.inputs.end(), is_frame))
+    if (!states_geometry(o.frame) && std::any_of(o.inputs.begin(), o.inputs.end(), is_frame))
         return std::nullopt;
-    return geometry_for_pictures(o.start, o.sheet, o.film, o.aperture, o.print, o.inputs[0]);
+    return geometry_for_pictures(o.frame, o.inputs[0]);
 }
 
 PictureFlip flip_of(const FlipOptions& o)
@@ -93,8 +83,7 @@ PictureFlip flip_of(const FlipOptions& o)
     flip.reverse = o.reverse;
     flip.upwards = o.upwards;
     flip.fit = o.fit.value();
-    if (o.bits)
-        flip.bits = bits_given(o.bits, 8);
+    flip.bits = bits_given(o.frame.bits);
     flip.threads = o.threads.count();
     flip.tell = [](const std::string& what) { say("flip", what); };
     return flip;

@@ -94,6 +94,19 @@ void declare(options::options_description& all, ApertureOptions& aperture)
         "extent of the capture aperture, mm (default: what fills a lens)");
 }
 
+void declare(options::options_description& all, PicturesFrameOptions& frame)
+{
+    declare(all, frame.sheet);
+    declare(all, frame.film);
+    add(all, "print", frame.print, "WxH",
+        "size of the frame in mm, instead of --size (default: 152.4 on the longer side, of the "
+        "first picture's shape)");
+    declare(all, frame.aperture);
+    declare_start_geometry(all, frame.start);
+    add(all, "bits", frame.bits, "N",
+        "8 or 16 for PNG and TIFF (default: the highest bit depth of the pictures)");
+}
+
 void declare_frame_geometry(options::options_description& all, std::optional<std::string>& file)
 {
     add(all, "sheet", file, "FILE.json",
@@ -134,19 +147,17 @@ FrameMetadata given_geometry(const std::optional<std::string>& file, const Sheet
     return geometry;
 }
 
-FrameMetadata geometry_for_pictures(const std::optional<std::string>& file,
-                                    const SheetOptions& sheet, const FilmOptions& film,
-                                    const ApertureOptions& aperture,
-                                    const std::optional<std::string>& print,
-                                    const std::string& picture)
+FrameMetadata geometry_for_pictures(const PicturesFrameOptions& given, const std::string& picture)
 {
-    FrameMetadata geometry = given_geometry(file, sheet, film, print);
+    FrameMetadata geometry = given_geometry(given.start, given.sheet, given.film, given.print);
     if (geometry.projection)
-        throw InputError(*file + ": it is for replay through a projection lens, and pictures make "
-                                 "no frame for that");
+        throw InputError(*given.start +
+                         ": it is for replay through a projection lens, and pictures make "
+                         "no frame for that");
     if (geometry.film.width < 1)
         set_default_size(picture, geometry.film);
-    change_aperture(aperture, geometry, file && !changes_lenses(sheet, aperture));
+    change_aperture(given.aperture, geometry,
+                    given.start && !changes_lenses(given.sheet, given.aperture));
     return geometry;
 }
 

@@ -23,9 +23,19 @@ struct ApertureOptions {
     std::optional<std::string> distance, aperture;
 };
 
+/// The frame that a command makes from flat pictures. `start`: the file of --sheet.
+struct PicturesFrameOptions {
+    SheetOptions sheet;
+    FilmOptions film;
+    ApertureOptions aperture;
+    std::optional<std::string> start, print;
+    std::optional<int> bits;
+};
+
 void declare(options::options_description& all, SheetOptions& sheet);
 void declare(options::options_description& all, FilmOptions& film);
 void declare(options::options_description& all, ApertureOptions& aperture);
+void declare(options::options_description& all, PicturesFrameOptions& frame);
 
 /// --sheet of commands that read frames: the file with the geometry for a frame that carries none.
 void declare_frame_geometry(options::options_description& all, std::optional<std::string>& file);
@@ -60,11 +70,7 @@ FrameMetadata given_geometry(const std::optional<std::string>& file, const Sheet
 /// The geometry of a frame that is made from flat pictures: given_geometry, with its aperture. If
 /// nothing gives the film's size, it becomes that of a print, 152.4 mm on the longer side, of the
 /// picture's shape. Throws as given_geometry does, and for a geometry with a projection lens.
-FrameMetadata geometry_for_pictures(const std::optional<std::string>& file,
-                                    const SheetOptions& sheet, const FilmOptions& film,
-                                    const ApertureOptions& aperture,
-                                    const std::optional<std::string>& print,
-                                    const std::string& picture);
+FrameMetadata geometry_for_pictures(const PicturesFrameOptions& given, const std::string& picture);
 
 /// Changes only what the options give. Throws UsageError.
 void change_sheet(const SheetOptions& given, LensSheet& sheet);

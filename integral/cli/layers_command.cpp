@@ -7,8 +7,6 @@
 #include "integral/io/image_file.h"
 #include "integral/views/layers.h"
 
-#include <algorithm>
-
 namespace integral {
 namespace {
 
@@ -17,11 +15,8 @@ constexpr double largest_layer = 1e6; // mm
 constexpr char layer_form[] = "PICTURE@DISTANCE[,width=MM][,height=MM][,x=MM][,y=MM]";
 
 struct LayersOptions : CommonOptions {
-    SheetOptions sheet;
-    FilmOptions film;
-    ApertureOptions aperture;
-    std::optional<std::string> start, print, depth, output;
-    std::optional<int> bits;
+    PicturesFrameOptions frame;
+    std::optional<std::string> depth, output;
     bool transparent = false, json = false;
     FitOptions fit;
     ThreadOptions threads;
@@ -41,15 +36,7 @@ void declare(options::options_description& all, LayersOptions& o)
         "a layer without a size, of another shape than the film: contain, whole with transparent "
         "bars (default); cover, filling the film and beyond; or stretch. Shapes that differ by at "
         "most 1% are stretched");
-    declare(all, o.sheet);
-    declare(all, o.film);
-    add(all, "print", o.print, "WxH",
-        "size of the frame in mm, instead of --size (default: 152.4 on the longer side, of the "
-        "first picture's shape)");
-    declare(all, o.aperture);
-    declare_start_geometry(all, o.start);
-    add(all, "bits", o.bits, "N",
-        "8 or 16 for PNG and TIFF (default: the highest bit depth of the pictures)");
+    declare(all, o.frame);
     declare(all, o.threads);
 }
 
@@ -90,8 +77,8 @@ PictureLayer layer_of(const std::string& given)
         throw UsageError(given + ": it has no distance; " + layer_form + " is expected");
     PictureLayer layer;
     layer.path = given.substr(0, at);
-    std::size_t begin = at + 1, comma = std::min(given.find(',', begin), given.size());
-    const std::string distance = given.substr(begin, comma - begin);
+    const std::vector<std::string> words = parts_between_commas(given.substr(at + 1));
+    const std::string& distance = words[0];
     const auto value = number_in(distance);
     if (layer.path.empty() || !value)
         throw UsageError(given + ": " + (distance.empty() ? "nothing" : distance) +
@@ -99,11 +86,8 @@ PictureLayer layer_of(const std::string& given)
     if (!(*value <= max_layer_distance))
         throw UsageError(given + ": " + distance + " mm is too far; at most 1e6 is possible");
     layer.distance = *value;
-    while (comma < given.size()) {
-        begin = comma + 1;
-        comma = std::min(given.find(',', begin), given.size());
-        read_layer_word(given.substr(begin, comma - begin), given, layer);
-    }
+    for (std::size_t k = 1; k < words.size(); ++k)
+        read_layer_word(words[k], given, layer);
     return layer;
 }
 
@@ -118,8 +102,7 @@ LayersRequest request_of(const LayersOptions& o)
         check_depth_name("depth", *o.depth);
     request.fit = o.fit.value();
     request.transparent = o.transparent;
-    if (o.bits)
-        request.bits = bits_given(o.bits, 8);
+    request.bits = bits_given(o.frame.bits);
     request.threads = o.threads.count();
     request.tell = [](const std::string& what) { say("layers", what); };
     return request;
@@ -130,8 +113,7 @@ int run(const LayersOptions& o)
     LayersRequest request = request_of(o);
     format_for(request.output);
     check_outputs({o.output, o.depth});
-    request.geometry = geometry_for_pictures(o.start, o.sheet, o.film, o.aperture, o.print,
-                                             request.layers[0].path);
+    request.geometry = geometry_for_pictures(o.frame, request.layers[0].path);
     const LayersView view = write_layers(request, progress_bar("layers"));
     print_figures(o.json ? layers_json(view) : layers_text(view), request.output == "-");
     return exit_done;

@@ -37,6 +37,17 @@ void throw_usage(const std::string& option, const std::string& text, const std::
     throw UsageError("--" + option + " " + text + ": " + form + " is expected");
 }
 
+std::vector<std::string> parts_between_commas(const std::string& text)
+{
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        parts.push_back(text.substr(begin, comma - begin));
+        begin = comma + 1;
+    }
+    return parts;
+}
+
 std::string alternatives(const std::vector<std::string>& names)
 {
     std::string text;
@@ -49,16 +60,11 @@ std::vector<double> parse_numbers(const char* option, const std::string& text, c
                                   std::size_t least, std::size_t most)
 {
     std::vector<double> numbers;
-    std::size_t begin = 0;
-    for (;;) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        double value;
-        if (!read_number(text.data() + begin, text.data() + comma, value))
+    for (const std::string& part : parts_between_commas(text)) {
+        const auto number = number_in(part);
+        if (!number)
             throw_usage(option, text, form);
-        numbers.push_back(value);
-        if (comma == text.size())
-            break;
-        begin = comma + 1;
+        numbers.push_back(*number);
     }
     if (numbers.size() < least || numbers.size() > most)
         throw_usage(option, text, form);
@@ -180,11 +186,16 @@ void throw_if_given(std::initializer_list<GivenOption> all, const std::string& r
         throw UsageError(std::string("--") + option + " " + reason);
 }
 
-int bits_given(const std::optional<int>& bits, int otherwise)
+std::optional<int> bits_given(const std::optional<int>& bits)
 {
     if (bits && *bits != 8 && *bits != 16)
         throw_usage("bits", std::to_string(*bits), "8 or 16");
-    return bits.value_or(otherwise);
+    return bits;
+}
+
+int bits_given(const std::optional<int>& bits, int otherwise)
+{
+    return bits_given(bits).value_or(otherwise);
 }
 
 std::string needed_output(const std::optional<std::string>& output, const std::string& what)

@@ -60,6 +60,9 @@ void read_size(const char* option, const std::optional<std::string>& text, int m
 /// WxH in mm, e.g. 150x100; each from 1 to `most`.
 Vec2 parse_size_mm(const char* option, const std::string& text, double most);
 
+/// The parts of a text between its commas; at least one.
+std::vector<std::string> parts_between_commas(const std::string& text);
+
 /// "a, b or c".
 std::string alternatives(const std::vector<std::string>& names);
 
@@ -84,7 +87,9 @@ void throw_if_given(std::initializer_list<GivenOption> all, const std::string& r
 /// Returns `value` if it is from `least` to `most`; else throws UsageError.
 int in_range(const char* option, int value, int least, int most);
 
-/// The value of --bits, 8 or 16; `otherwise` if it is not given.
+/// The value of --bits, 8 or 16, if given; the second form returns `otherwise` if it is not. Throw
+/// UsageError.
+std::optional<int> bits_given(const std::optional<int>& bits);
 int bits_given(const std::optional<int>& bits, int otherwise);
 
 /// The path of -o. Throws UsageError "-o WHAT is missing" if it is absent or empty.
