@@ -6,6 +6,7 @@
 #include "integral/batch/scene_files.h"
 #include "integral/batch/scene_look.h"
 #include "integral/io/image_file.h"
+#include "integral/io/markup.h"
 #include "integral/replay/draft_frame.h"
 #include "integral/studio/file_stamp.h"
 
@@ -146,6 +147,7 @@ std::string SceneRenders::state() const
                 {"seconds", exact_ ? exact_->seconds : 0},
                 {"printing", next_print_ || work_ == "print"},
                 {"print", print_.empty() ? Json() : Json(print_)},
+                {"print_word", for_shell(print_)},
                 {"work", work_.empty() ? Json() : Json(work_)},
                 {"progress", progress_},
                 {"problem", problem_.empty() ? Json() : Json(problem_)}}

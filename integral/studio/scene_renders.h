@@ -61,9 +61,9 @@ public:
 
     /// The state as JSON on one line: probe (its number; 0: none), exact (its request's number; 0:
     /// none), draft and seconds of that, printing (whether the print is being rendered, or waits),
-    /// print (the file of the newest print, or null), work (what is
-    /// being rendered: "probe", "exact", "print" or null), progress (0 to 1), problem (why the
-    /// scene cannot be rendered, or null).
+    /// print (the file of the newest print, or null), print_word (the same as a word for a shell),
+    /// work (what is being rendered: "probe", "exact", "print" or null), progress (0 to 1), problem
+    /// (why the scene cannot be rendered, or null).
     std::string state() const;
 
     /// A page that listens: counted from its construction to its destruction.

@@ -100,13 +100,10 @@ function show_print_button() {
   element("page-row").hidden = !scene.print || scene.printing || Boolean(state.sheet?.panel);
 }
 
-// A text as one word for a shell.
-function for_shell(text) { return /^[\w./+-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`; }
-
 function say_printed() {
-  const file = for_shell(scene.print);
+  const file = scene.print_word;
   element("saved").textContent = `${scene.print} is there. See it: integral replay ${file} -o view.png. ` +
-    (state.sheet?.panel ? `Show it on the panel: integral lcd ${file} --panel ${for_shell(state.sheet.name)} --show auto` : "Make a page of it, to print at its own size.");
+    (state.sheet?.panel ? `Show it on the panel: integral lcd ${file} --panel ${state.sheet.word} --show auto` : "Make a page of it, to print at its own size.");
 }
 
 function show_eye() {

@@ -31,6 +31,7 @@ Json choice_of(const Panel& panel)
             {"label", panel.name + ", " + std::to_string(panel.film.width) + " x " +
                           std::to_string(panel.film.height)},
             {"sheet", json_of(panel.sheet)},
+            {"word", for_shell(panel.name)},
             {"panel", parse_json(to_json(panel))}};
 }
 

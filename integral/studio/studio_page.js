@@ -3,7 +3,7 @@
 // sheet frame, or in scene units where so named. Continued by studio_controls.js.
 
 const element = (id) => document.getElementById(id);
-const sheets = JSON.parse(element("sheets").textContent); // { name, label, sheet, panel (of panels) } each
+const sheets = JSON.parse(element("sheets").textContent); // { name, label, sheet } each; panels: { word, panel } too, `word` being the name for a shell
 const canvas = element("view"), depth_canvas = element("depths");
 const within = (v, least, greatest) => Math.min(greatest, Math.max(least, v));
 const figures_of = (v, digits = 4) => String(Number(v.toPrecision(digits)));
