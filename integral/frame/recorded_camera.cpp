@@ -28,8 +28,8 @@ IntegralCamera recorded_camera(const FrameMetadata& m, CameraSpace space)
         throw std::invalid_argument("the frame's geometry lacks the sheet's place in a scene; use "
                                     "the sheet's space, in mm");
     const RenderRecord render = m.render.value_or(RenderRecord());
-    IntegralCamera camera{SheetOptics(m.sheet, m.aperture, render.model), m.film, in_sheet_frame()};
-    camera.mapping = render.mapping;
+    IntegralCamera camera{SheetOptics(m.sheet, m.aperture, render.model), m.film, in_sheet_frame(),
+                          render.mapping, std::nullopt};
     camera.pseudoscopic = render.pseudoscopic;
     if (space == CameraSpace::scene) {
         camera.placement = *m.placement;

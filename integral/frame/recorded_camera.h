@@ -13,10 +13,10 @@ enum class CameraSpace {
     scene  ///< the scene that was rendered, in its units
 };
 
-/// The camera of a geometry, with one sample for each pixel. Model, mapping and pseudoscopic
-/// capture are those of the render record, or else the defaults. Throws std::invalid_argument for
-/// CameraSpace::scene if the geometry lacks the sheet's place in the scene, and for frames for a
-/// projection lens.
+/// The camera of a geometry, with one sample for each pixel. The render record gives model, mapping
+/// and pseudoscopic capture; without a record they have their defaults. Throws
+/// std::invalid_argument for frames for a projection lens, and for CameraSpace::scene if the
+/// geometry lacks the sheet's place in the scene.
 IntegralCamera recorded_camera(const FrameMetadata& metadata,
                                CameraSpace space = CameraSpace::sheet);
 

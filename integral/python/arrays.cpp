@@ -41,7 +41,7 @@ Image form_of_pictures(const py::array& array, Encoding encoding, bool premultip
     if (bits == 0)
         throw std::invalid_argument("an array of " + std::string(py::str(array.dtype())) +
                                     " is no picture; its samples must be uint8, uint16 or real "
-                                    "numbers, of which 1 is full scale");
+                                    "numbers, where 1 is full scale");
     Image form = form_of(bits, int(side(1)), int(side(2)), int(side(0)), encoding);
     form.premultiplied = premultiplied;
     return form;
@@ -54,6 +54,13 @@ template <class Sample> py::array contiguous(const py::array& array)
     if (!made)
         throw py::error_already_set();
     return made;
+}
+
+/// Throws std::invalid_argument for a Python frame without metadata.
+void require_metadata(const py::object& frame)
+{
+    if (frame.attr("metadata").is_none())
+        throw std::invalid_argument("the frame has no geometry; give it sheet, film and aperture");
 }
 
 } // namespace
@@ -97,8 +104,16 @@ Image form_from(const py::array& array, Encoding encoding, bool premultiplied)
 
 Image image_from(const py::array& array, Encoding encoding, bool premultiplied)
 {
-    form_from(array, encoding);
+    if (array.ndim() != 3)
+        throw_no_picture(array);
     return std::move(images_from(array, encoding, premultiplied)[0]);
+}
+
+ViewsOfArray views_from(const py::array& array, Encoding encoding)
+{
+    if (array.ndim() != 5)
+        throw std::invalid_argument("views: an array [row, column, y, x, channel] is expected");
+    return {images_from(array, encoding), {int(array.shape(1)), int(array.shape(0))}};
 }
 
 py::array array_of(std::vector<Image> pictures, std::vector<py::ssize_t> leading)
@@ -137,6 +152,12 @@ void check_picture_size(const std::optional<std::array<int, 2>>& size, int large
 {
     for (const int side : size.value_or(std::array<int, 2>{1, 1}))
         check_number("size", side, 1, largest);
+}
+
+void check_grid(const char* name, const std::pair<int, int>& grid, int most)
+{
+    for (const int number : {grid.first, grid.second})
+        check_number(name, number, 1, most);
 }
 
 void check_film_size(const FrameMetadata& geometry)
@@ -192,12 +213,10 @@ std::string text_of(const py::object& document)
 
 FrameMetadata geometry_from(const py::object& frame)
 {
-    const py::object metadata = frame.attr("metadata");
-    if (metadata.is_none())
-        throw std::invalid_argument("the frame has no geometry; give it sheet, film and aperture");
+    require_metadata(frame);
     Frame form;
     form.image = form_from(frame.attr("image"), encoding_from(frame.attr("encoding")));
-    set_metadata(form, frame_metadata_from_json(text_of(metadata)));
+    set_metadata(form, frame_metadata_from_json(text_of(frame.attr("metadata"))));
     return *form.metadata;
 }
 
@@ -214,10 +233,8 @@ Frame frame_from(const py::object& frame)
 
 Frame frame_with_geometry(const py::object& frame)
 {
-    const FrameMetadata geometry = geometry_from(frame);
-    Frame made = frame_from(frame);
-    made.metadata = geometry;
-    return made;
+    require_metadata(frame);
+    return frame_from(frame);
 }
 
 py::tuple python_of(Frame frame)

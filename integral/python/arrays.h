@@ -6,6 +6,7 @@
 #include "integral/base/json.h"
 #include "integral/frame/frame.h"
 #include "integral/frame/picture_fit.h"
+#include "integral/frame/view_grid.h"
 
 #include <pybind11/numpy.h>
 
@@ -45,8 +46,15 @@ Image form_from(const py::array& array, Encoding encoding, bool premultiplied = 
 /// Arrays with leading axes: [..., y, x, channel], one picture after the other in C order.
 std::vector<Image> images_from(const py::array& array, Encoding encoding,
                                bool premultiplied = false);
-/// Inverse, for pictures of one size and form, which are freed one by one. `leading`: the leading
-/// axes.
+/// The views of an array [row, column, y, x, channel]. Throws std::invalid_argument.
+struct ViewsOfArray {
+    std::vector<Image> pictures; ///< row after row
+    ViewGrid grid;
+};
+ViewsOfArray views_from(const py::array& array, Encoding encoding);
+
+/// Inverse of images_from, for pictures of one size and form, which are freed one by one.
+/// `leading`: the leading axes.
 py::array array_of(std::vector<Image> pictures, std::vector<py::ssize_t> leading);
 
 /// "srgb", "linear", or the gamma of a power law as a number. Throws std::invalid_argument.
@@ -65,6 +73,12 @@ void check_threads(int threads);
 
 /// check_number of both sides of a picture, pixels, if given.
 void check_picture_size(const std::optional<std::array<int, 2>>& size, int largest);
+
+/// Throws std::invalid_argument for a number of views, across or up, outside 1 to `most`. `name`:
+/// of the argument.
+void check_grid(const char* name, const std::pair<int, int>& grid, int most);
+
+constexpr int most_views_one_way = 256;
 
 /// Throws std::invalid_argument for a geometry whose film has no width and height.
 void check_film_size(const FrameMetadata& geometry);

@@ -23,17 +23,15 @@ PanelImageOptions options_of(const std::string& panel, int threads, const Progre
 }
 
 /// (image, encoding, premultiplied, metadata) of the panel's image, and notices. `views`: [row,
-/// column, y, x, channel], or None for those of the frame.
+/// column, y, x, channel]; None: the frame's own views.
 py::tuple interlace_for(const py::object& of_python, const py::object& views,
                         const py::object& encoding, const std::string& panel,
                         std::optional<std::pair<int, int>> grid, const std::string& fit,
                         int threads, const py::object& progress)
 {
     check_threads(threads);
-    constexpr int most_views = 256; // one way
     if (grid)
-        for (const int number : {grid->first, grid->second})
-            check_number("grid", number, 1, most_views);
+        check_grid("grid", *grid, most_views_one_way);
     const Fit chosen = fit_from(fit);
     const Panel found = find_panel(panel);
     std::optional<Frame> frame;
@@ -41,11 +39,9 @@ py::tuple interlace_for(const py::object& of_python, const py::object& views,
     if (views.is_none()) {
         frame = frame_with_geometry(of_python);
     } else {
-        const py::array array = views;
-        if (array.ndim() != 5)
-            throw std::invalid_argument("views: an array [row, column, y, x, channel] is expected");
-        input.grid = {int(array.shape(1)), int(array.shape(0))};
-        input.views = images_from(array, encoding_from(encoding));
+        ViewsOfArray of_array = views_from(views, encoding_from(encoding));
+        input.grid = of_array.grid;
+        input.views = std::move(of_array.pictures);
         input.shape = double(input.views[0].width) / input.views[0].height;
     }
     std::vector<std::string> notices;

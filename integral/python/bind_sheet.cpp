@@ -34,7 +34,7 @@ py::tuple fit(const py::array_t<double, py::array::c_style | py::array::forcecas
             throw std::invalid_argument("distances must be greater than 0; math.inf is allowed");
     const auto ends = depth_ends(distances);
     if (!ends)
-        throw std::invalid_argument("no distance is finite; give those of surfaces");
+        throw std::invalid_argument("no distance is finite; give the distances of surfaces");
     const double beta = budgets * *budget / viewer_distance(geometry);
     const SceneFit found = fit_to_budget(*ends, {beta, sheet_distance, parallax});
     return py::make_tuple(found.sheet_distance, found.parallax,

@@ -20,17 +20,17 @@ namespace {
 
 using Directions = std::optional<std::pair<int, int>>;
 
-/// The numbers given, each at most `most`, or those of the film's pixels.
+/// The grid of `directions`, at most `most` one way; without it the film's own grid
+/// (natural_views).
 ViewGrid grid_of(const Directions& directions, const FrameMetadata& metadata, int most)
 {
     if (!directions)
         return natural_views(metadata);
-    for (const int number : {directions->first, directions->second})
-        check_number("number of directions", number, 1, most);
+    check_grid("number of directions", *directions, most);
     return {directions->first, directions->second};
 }
 
-constexpr int most_directions = 4096, most_views = 256; // one way
+constexpr int most_directions = 4096; // one way
 
 /// The numbers along the axes of a light field, mm. A direction without light is NaN.
 struct AxesInMm {
@@ -134,7 +134,8 @@ py::array views(const py::object& of_python, const Directions& grid, bool of_eye
     check_picture_size(size, largest_picture_side);
     const Frame frame = frame_with_geometry(of_python);
     const FrameMetadata& metadata = *frame.metadata;
-    const ViewGrid directions = directions_of(grid_of(grid, metadata, most_views), metadata.sheet);
+    const ViewGrid directions = directions_of(grid_of(grid, metadata, most_views_one_way),
+                                              metadata.sheet);
     View view;
     set_view_size(view, metadata.film, default_longer_side_of_view);
     if (size)
@@ -154,10 +155,9 @@ py::array frame_from_views(const py::array& array, const py::object& document,
     check_threads(threads);
     const FrameMetadata geometry = frame_metadata_from_json(text_of(document));
     check_film_size(geometry);
-    if (array.ndim() != 5)
-        throw std::invalid_argument("views: an array [row, column, y, x, channel] is expected");
-    const std::vector<Image> pictures = images_from(array, encoding_from(encoding));
-    const ViewGrid grid = directions_of({int(array.shape(1)), int(array.shape(0))}, geometry.sheet);
+    const ViewsOfArray of_array = views_from(array, encoding_from(encoding));
+    const std::vector<Image>& pictures = of_array.pictures;
+    const ViewGrid grid = directions_of(of_array.grid, geometry.sheet);
     return array_of(*result_of_long(progress, [&](const Progress& report) {
         if (!of_eyes)
             return frame_from_parallel_views(pictures, geometry, grid, threads, report);

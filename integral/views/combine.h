@@ -30,8 +30,8 @@ using CombinedShares = std::vector<double>;
 
 /// Writes the merged frame, and its depth frame if requested. At a pixel the frames are ordered by
 /// their depths, at equal depths as they are given; each covers those behind it by its alpha, in
-/// linear light. Frames without alpha are opaque. The depth of a pixel is that of the nearest frame
-/// whose alpha there is at least 1/2 or, if there is none, of the nearest. The new document
+/// linear light. Frames without alpha are opaque. A pixel gets the depth of the nearest frame
+/// whose alpha there is at least 1/2 or, if there is none, the nearest depth. The new document
 /// contains neither placement nor parallax, and of render only what lines of sight depend on.
 /// Throws std::invalid_argument for frames of different geometry, InputError, OutputError, and
 /// Interrupted if `progress` stops the work.

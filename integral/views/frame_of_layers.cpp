@@ -4,6 +4,7 @@
 #include "integral/base/interrupt.h"
 #include "integral/optics/lens_model.h"
 #include "integral/optics/ray_gradient.h"
+#include "integral/replay/interpolate.h"
 #include "integral/sampling/sample_points.h"
 #include "integral/views/covered_means.h"
 
@@ -223,23 +224,21 @@ struct FrameOfLayers::State {
     /// The light of a row's pixels; black (transparent) where no lens images them.
     std::vector<Colour> row(int y) const
     {
-        std::vector<Colour> all(geometry.film.width, Colour{0, 0, 0, 0});
-        if (geometry.film.subpixels == Subpixels::none) {
-            for_each_pixel(y, -1, [&](int x, const MappedPoint& mapped, Vec2 point) {
-                all[x] = light(point, mapped);
-            });
-            return all;
-        }
-        for (int channel = 0; channel < 3; ++channel)
+        const Subpixels& subpixels = geometry.film.subpixels;
+        std::array<std::vector<Colour>, 3> channels;
+        for (int channel = 0; channel < 3; ++channel) {
+            if (subpixels == Subpixels::none && channel != 1)
+                continue; // each_channel needs one
+            std::vector<Colour>& own = channels[std::size_t(channel)];
+            own.assign(geometry.film.width, Colour{0, 0, 0, 0});
             for_each_pixel(y, channel, [&](int x, const MappedPoint& mapped, Vec2 point) {
-                const Colour c = light(point, mapped);
-                (channel == 0   ? all[x].r
-                 : channel == 1 ? all[x].g
-                                : all[x].b) = channel == 0   ? c.r
-                                              : channel == 1 ? c.g
-                                                             : c.b;
-                all[x].a += c.a / 3;
+                own[std::size_t(x)] = light(point, mapped);
             });
+        }
+        std::vector<Colour> all = channels[1];
+        for (std::size_t x = 0; x < all.size(); ++x)
+            all[x] = each_channel(subpixels,
+                                  [&](int channel) { return channels[std::size_t(channel)][x]; });
         return all;
     }
 
