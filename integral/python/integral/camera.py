@@ -66,8 +66,8 @@ class Camera:
         return copy.deepcopy(self._made)
 
     def rays(self, pixels: Any, threads: int = 0) -> Rays:
-        """The rays of places on the film, an array [n, 2]; `pixel_centres` gives those of all
-        pixels. A ray starts on the aperture and goes through the lens's pole into the scene."""
+        """Returns the rays of places on the film, an array [n, 2]; `pixel_centres` gives the middles
+        of all pixels. A ray starts on the aperture and goes through the lens's pole into the scene."""
         return Rays(*self._camera.rays(pixels, threads))
 
     def pixel_centres(self) -> np.ndarray:

@@ -38,7 +38,7 @@ class Film:
     """The pixels behind a sheet.
 
     pixel_pitch_mm  (width, height) of a pixel; Film.of_dpi computes it
-    width, height   pixels; None: those of the image
+    width, height   pixels; None: as many as the image has
     subpixels       "none", "rgb", "bgr", "vrgb", "vbgr", or a dict with "pattern" and "cells", as in
                     frames' documents
     """

@@ -19,13 +19,13 @@ class LightField:
     there is one u, and s is a column of film pixels. In odd rows of a hexagonal sheet, and in all
     rows of a slanted one, lenses are shifted: `poles_mm` has their places.
 
-    samples      [v, u, t, s, channel] in the frame's encoding. A view of the frame's own array (see
-                 `is_view`) if each lens covers the same whole number of pixels; lenses of which the
-                 film has only a part are then left out.
-                 Else each lens's width (and height; of hexagonal lenses the height of a row) is
-                 divided into as many equal parts as there are directions, and a sample is the light
-                 in the middle of its part: bilinear between the centres of film pixels, in linear
-                 light, each colour at its own subpixels; black where there is no film.
+    samples      [v, u, t, s, channel] in the frame's encoding. If each lens covers the same whole
+                 number of pixels, a view of the frame's own array (see `is_view`), without lenses
+                 that the film covers only in part. Otherwise each lens's width (and height; of
+                 hexagonal lenses the height of a row) is divided into as many equal parts as there
+                 are directions, and a sample is the light in the middle of its part: bilinear
+                 between the centres of film pixels, in linear light, each colour at its own
+                 subpixels; black where there is no film.
     is_view      whether writing to `samples` changes the frame
     u_mm, v_mm   where a direction's ray meets the aperture plane, mm from the lens's pole, along the
                  rows of lenses and across them (x and y for upright lenses); exact for the middle v

@@ -13,7 +13,7 @@ class Depth(NamedTuple):
     """Centre view of a frame, with its depth: arrays of one height and width.
 
     depth_mm    [y, x] behind the sheet, negative in front; NaN where nothing is known
-    disparity   [y, x] pixels between neighbouring views, of which 0 is the sheet and more is nearer
+    disparity   [y, x] pixels from one view to the next: 0 at the sheet, greater for nearer points
     confidence  [y, x] 0 to 1
     colour      [y, x, 3] in the frame's encoding, 1 is full scale
     pixel_mm    the side of a pixel, on the sheet
