@@ -5,6 +5,7 @@
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/panel/panel_files.h"
+#include "integral/panel/panel_page.h"
 #include "integral/panel/panel_text.h"
 #include "integral/screen/screen_text.h"
 
@@ -20,13 +21,29 @@ void print(bool as_json, const Json& json, const std::string& text)
     std::cout << (as_json ? json.dump(2) + "\n" : text);
 }
 
-/// --show and -o: makes the images of all inputs, or a test card.
+/// --html: writes the page of the input or test card.
+void make_page(const LcdOptions& o, const LcdRequest& lcd, PanelImages& images,
+               const std::vector<Arguments>& groups)
+{
+    if (groups.size() > 1)
+        throw UsageError("--html makes a page of one picture; several are given");
+    check_outputs({o.html});
+    const PanelPictures pictures = lcd.card ? images.pictures_of(*lcd.card)
+                                            : images.pictures_of(groups[0]);
+    write_file(*o.html, panel_page(images, pictures, groups[0][0]));
+}
+
+/// --html, --show and -o: makes the images of all inputs, or a test card.
 void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
 {
     PanelImages images(panel, lcd.image);
     const auto groups = lcd.card ? std::vector<Arguments>{{"--card"}} : images.groups(o.inputs);
     if (o.show && groups.size() > 1)
         throw UsageError("--show shows one image; -o makes several, which --play plays");
+    if (o.html)
+        make_page(o, lcd, images, groups);
+    if (lcd.output.empty() && !o.show)
+        return;
     Arguments paths(groups.size());
     if (!lcd.output.empty() && lcd.card) {
         check_panel_file(lcd.output);
@@ -96,7 +113,7 @@ void check_show_options(const LcdOptions& o)
 /// Handles everything without --panel.
 void use_display(const LcdOptions& o, const LcdRequest& lcd)
 {
-    if (o.output || o.card || o.camera || o.describe)
+    if (o.output || o.html || o.card || o.camera || o.describe)
         throw UsageError("--panel NAME|FILE.json is missing; --list prints the names");
     check_show_options(o);
     if (o.list_displays) {
@@ -139,8 +156,9 @@ int run(const LcdOptions& o)
 const Command lcd_command = {
     "lcd",
     "frames, quilts and views on a light-field panel: its image, test cards; shown or played",
-    "INPUT... --panel NAME|FILE.json -o IMAGE | --panel NAME --card CARD -o IMAGE | PICTURE --show "
-    "DISPLAY | PICTURE... --play | --list",
+    "INPUT... --panel NAME|FILE.json (-o IMAGE | --html PAGE) | --panel NAME --card CARD -o IMAGE "
+    "| "
+    "PICTURE --show DISPLAY | PICTURE... --play | --list",
     R"(Makes the image that a panel of pixels under a lens sheet has to be sent: every red, green and
 blue of it takes the colour of the view that it is seen in. INPUT is a quilt, or the files of all
 views: perspective pictures whose window lies on the panel, from eyes on a line across the

@@ -50,6 +50,9 @@ void declare(options::options_description& all, LcdOptions& o)
     add(all, "output,o", o.output, "FILE",
         "the panel's image: .png, .tiff or .exr; of several frames or quilts files with numbers "
         "before the extension, or a folder that is there already, for files of the inputs' names");
+    add(all, "html", o.html, "PAGE",
+        "a page that drives the panel: one file, with INPUT as a quilt, which a browser with WebGL "
+        "2 interlaces and shows on the panel in full screen; each subpixel is that of -o");
     add(all, "panel", o.panel, "NAME|FILE.json",
         "the panel: one of --list, a description as --describe writes, or the calibration file of "
         "a Looking Glass or CubeVi display");
@@ -128,8 +131,12 @@ void check_panel_options(const LcdOptions& o, const LcdRequest& lcd)
                        "takes no INPUT");
     if (lcd.panel.empty())
         throw UsageError("--panel NAME|FILE.json is missing; --list prints the names");
-    if (!o.describe && !o.camera && lcd.output.empty() && !o.show)
-        throw UsageError("-o FILE is missing, or --show DISPLAY");
+    if (o.describe || o.camera)
+        throw_if_given({{"html", o.html}}, "is for pictures and cards");
+    if (o.html && (o.html->empty() || *o.html == lcd.output))
+        throw UsageError("--html: the name of a file is expected, other than that of -o");
+    if (!o.describe && !o.camera && lcd.output.empty() && !o.show && !o.html)
+        throw UsageError("-o FILE is missing, --html PAGE, or --show DISPLAY");
     if (!o.describe && !o.camera && !lcd.card && o.inputs.empty())
         throw UsageError("INPUT is missing: a frame, a quilt or views");
     if (lcd.image.lit_view && lcd.card != PanelCard::crosstalk && lcd.card != PanelCard::colours)

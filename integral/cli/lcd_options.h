@@ -15,7 +15,7 @@
 namespace integral {
 
 struct LcdOptions : CommonOptions {
-    std::optional<std::string> output, panel, views, size, viewing_distance, card, show, fps,
+    std::optional<std::string> output, html, panel, views, size, viewing_distance, card, show, fps,
         seconds;
     std::string blend = "linear", sampling = "linear";
     std::optional<int> view;

@@ -23,5 +23,15 @@ build_lib_libintegral_a_SOURCES += \
   integral/panel/panel_images.h \
   integral/panel/panel_mapping.cpp \
   integral/panel/panel_mapping.h \
+  integral/panel/panel_page.cpp \
+  integral/panel/panel_page.h \
   integral/panel/panel_text.cpp \
   integral/panel/panel_text.h
+
+# The page's own files.
+page_files += \
+  integral/panel/panel_page.glsl \
+  integral/panel/panel_page.html \
+  integral/panel/panel_page.js
+page_objects += integral/panel/panel_page.$(OBJEXT) \
+  integral/panel/build_sanitized_libintegral_a-panel_page.$(OBJEXT)

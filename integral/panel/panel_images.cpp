@@ -67,19 +67,7 @@ Image prepared(const Image& view, bool linear)
                                                                 : sample_bits(view) > 16
                                                                     ? Encoding()
                                                                     : view.encoding;
-    const int bits = linear || sample_bits(view) > 8 ? 16 : 8;
-    if (view.channels == 3)
-        return converted(view, bits, encoding, false);
-    Image opaque = bits == 8 ? make_image<std::uint8_t>(view.width, view.height, 3, encoding)
-                             : make_image<std::uint16_t>(view.width, view.height, 3, encoding);
-    const LinearReader reader(view);
-    for (int y = 0; y < view.height; ++y)
-        for (int x = 0; x < view.width; ++x) {
-            Colour c = reader(x, y);
-            c.a = 1;
-            store_linear(opaque, x, y, c);
-        }
-    return opaque;
+    return over_black(view, linear || sample_bits(view) > 8 ? 16 : 8, encoding);
 }
 
 Image mirrored(const Image& image, bool in_x, bool in_y)
@@ -135,6 +123,19 @@ const char* name_of(PanelCard card)
     return "pitch";
 }
 
+/// Returns work(); puts a name before the message of its std::invalid_argument, unless that is a
+/// RequestError, whose message has a name.
+template <class Work> auto with_name(const std::string& name, Work work)
+{
+    try {
+        return work();
+    } catch (const RequestError&) {
+        throw;
+    } catch (const std::invalid_argument& error) {
+        throw RequestError(name + ": " + error.what());
+    }
+}
+
 bool has_round_lenses(const FrameMetadata& geometry)
 {
     return geometry.sheet.arrangement != Arrangement::lenticular;
@@ -158,6 +159,23 @@ std::optional<std::string> missing_views(const LensSheet& frame, const LensSheet
 }
 
 } // namespace
+
+Image over_black(const Image& picture, int bits, Encoding encoding)
+{
+    if (picture.channels == 3)
+        return converted(picture, bits, encoding, false);
+    Image opaque = bits == 8
+                       ? make_image<std::uint8_t>(picture.width, picture.height, 3, encoding)
+                       : make_image<std::uint16_t>(picture.width, picture.height, 3, encoding);
+    const LinearReader reader(picture);
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            Colour c = reader(x, y);
+            c.a = 1;
+            store_linear(opaque, x, y, c);
+        }
+    return opaque;
+}
 
 PanelImages::PanelImages(const Panel& panel, PanelImageOptions options)
     : panel_(panel), options_(std::move(options)), geometry_(frame_geometry(panel))
@@ -249,10 +267,23 @@ void PanelImages::map_through_lenses(std::optional<EyeGrid> eyes)
     mapped_eyes_ = requested;
 }
 
-Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes,
-                              Blend blend, const FittedPicture& picture)
+const PanelMapping& PanelImages::mapping_for(const PanelPictures& pictures)
 {
-    views_ = grid.count();
+    const ViewGrid grid = pictures.grid;
+    map_picture(pictures.fit, pictures.eyes);
+    if (mapping_->up.rows > 0 && grid.count() > 1 && (grid.columns == 1 || grid.rows == 1))
+        throw RequestError("round lenses show views across and up; " +
+                           size_text(grid.columns, grid.rows) + " are given");
+    return *mapping_;
+}
+
+Frame PanelImages::image_of(PanelPictures pictures)
+{
+    std::vector<Image>& views = pictures.views;
+    views_ = pictures.is_image ? 0 : pictures.grid.count();
+    if (pictures.is_image)
+        return finished(std::move(views[0]), pictures.zone);
+    const Blend blend = pictures.blend;
     const bool blends = blend.views == Neighbours::linear || blend.pixels == Neighbours::linear;
     const bool light = blends && !options_.encoded;
     const Encoding encoding = sample_bits(views[0]) > 16 ? Encoding() : views[0].encoding;
@@ -261,16 +292,13 @@ Image PanelImages::interlaced(std::vector<Image> views, ViewGrid grid, std::opti
         view = prepared(view, light);
         stop_if_interrupted();
     }
-    const ViewRaster pictures(views, grid);
-    Image image = panel_image(pictures, panel_.film.width, panel_.film.height);
-    map_picture(picture, eyes);
-    if (mapping_->up.rows > 0 && grid.count() > 1 && (grid.columns == 1 || grid.rows == 1))
-        throw RequestError("round lenses show views across and up; " +
-                           size_text(grid.columns, grid.rows) + " are given");
-    interlace(image, pictures, *mapping_, blend, options_.threads);
+    const ViewRaster raster(views, pictures.grid);
+    Image image = panel_image(raster, panel_.film.width, panel_.film.height);
+    interlace(image, raster, mapping_for(pictures), blend, options_.threads);
     if (!panel_.calibration) // a calibration's mapping is for the image as it is sent
         image = as_sent(image);
-    return light ? converted(image, bits, encoding, false) : image;
+    return finished(light ? converted(image, bits, encoding, false) : std::move(image),
+                    pictures.zone);
 }
 
 /// Reads the frame, with metadata, that a group consists of; nothing if the group has views.
@@ -299,23 +327,26 @@ ViewInput PanelImages::read_views_of(const std::vector<std::string>& group) cons
     return read_given_views(group, request);
 }
 
-Frame PanelImages::image_of_views(const std::string& name, ViewInput views)
+PanelPictures PanelImages::pictures_of_views(const std::string& name, ViewInput views) const
 {
     if (views.metadata && !views.metadata->quilt->eyes)
         throw RequestError(name + ": it holds parallel views; a panel shows those of eyes "
                                   "(integral views --eyes), or the frame (integral views "
                                   "--to-frame)");
-    std::optional<EyeGrid> eyes;
+    PanelPictures pictures;
     if (views.metadata) {
         check_directions(name, *views.metadata, views.grid);
-        eyes = eyes_before(panel_.film, *views.metadata, *views.metadata->quilt->eyes);
+        pictures.eyes = eyes_before(panel_.film, *views.metadata, *views.metadata->quilt->eyes);
     }
     if (options_.right_to_left)
         turn_right_to_left(views.views, directions_of(views.grid, geometry_.sheet));
-    const FittedPicture picture = fitted_to_panel(views.shape);
-    if (picture.differs())
-        options_.tell(name + ": " + fit_text(views, picture, "the panel"));
-    return finished(interlaced(std::move(views.views), views.grid, eyes, options_.blend, picture));
+    pictures.fit = fitted_to_panel(views.shape);
+    if (pictures.fit.differs())
+        options_.tell(name + ": " + fit_text(views, pictures.fit, "the panel"));
+    pictures.views = std::move(views.views);
+    pictures.grid = views.grid;
+    pictures.blend = options_.blend;
+    return pictures;
 }
 
 /// Throws RequestError if there are several views and missing_views gives a message.
@@ -328,15 +359,18 @@ void PanelImages::check_directions(const std::string& name, const FrameMetadata&
 }
 
 /// Passes through a frame that was rendered for the panel.
-Frame PanelImages::native_image(const std::string& name, const Frame& frame)
+PanelPictures PanelImages::native_image(const std::string& name, const Frame& frame) const
 {
-    views_ = 0;
     if (const auto what = other_zone(frame.metadata->aperture, panel_))
         options_.tell(name + ": " + *what);
-    return finished(as_sent(prepared(frame.image, false)), frame.metadata->aperture);
+    PanelPictures pictures;
+    pictures.views = {as_sent(prepared(frame.image, false))};
+    pictures.is_image = true;
+    pictures.zone = frame.metadata->aperture;
+    return pictures;
 }
 
-Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
+PanelPictures PanelImages::pictures_of_frame(const std::string& name, const Frame& frame) const
 {
     const FrameMetadata& metadata = *frame.metadata;
     if (options_.aspect || options_.right_to_left)
@@ -350,64 +384,83 @@ Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
         options_.tell(name + ": it is nearly a frame of this panel's own, but " + *what +
                       ": the image is made of " + counted(grid.count(), "view") +
                       " of it; --camera says what to render for the panel");
-    const FittedPicture picture = fitted_to_panel(shape_of(metadata.film));
-    if (picture.differs())
-        options_.tell(name + ": " + fit_text(picture, "the panel"));
+    PanelPictures pictures;
+    pictures.fit = fitted_to_panel(shape_of(metadata.film));
+    if (pictures.fit.differs())
+        options_.tell(name + ": " + fit_text(pictures.fit, "the panel"));
     View view;
-    set_view_size(view, picture.differs() ? metadata.film : geometry_.film, longer_side_of_a_view);
+    set_view_size(view, pictures.fit.differs() ? metadata.film : geometry_.film,
+                  longer_side_of_a_view);
     if (options_.width > 0) {
         view.width = options_.width;
         view.height = options_.height;
     }
     const double distance = metadata.aperture.distance;
-    const auto eyes = eyes_before(panel_.film, metadata,
-                                  {viewing_zone(metadata, distance), distance});
-    return finished(
-        interlaced(views_of_eyes(frame, grid, view, options_.threads, options_.progress("views")),
-                   grid, eyes, options_.blend, picture));
+    pictures.views = views_of_eyes(frame, grid, view, options_.threads, options_.progress("views"));
+    pictures.grid = grid;
+    pictures.eyes = eyes_before(panel_.film, metadata,
+                                {viewing_zone(metadata, distance), distance});
+    pictures.blend = options_.blend;
+    return pictures;
+}
+
+Frame PanelImages::image_of_frame(const std::string& name, const Frame& frame)
+{
+    return image_of(pictures_of_frame(name, frame));
+}
+
+Frame PanelImages::image_of_views(const std::string& name, ViewInput views)
+{
+    return image_of(pictures_of_views(name, std::move(views)));
+}
+
+PanelPictures PanelImages::pictures_of(const std::vector<std::string>& group)
+{
+    return with_name(group[0], [&] {
+        const auto frame = read_frame_of(group);
+        stop_if_interrupted();
+        return frame ? pictures_of_frame(group[0], *frame)
+                     : pictures_of_views(group[0], read_views_of(group));
+    });
 }
 
 Frame PanelImages::image_of(const std::vector<std::string>& group)
 {
-    try {
-        const auto frame = read_frame_of(group);
-        stop_if_interrupted();
-        return frame ? image_of_frame(group[0], *frame)
-                     : image_of_views(group[0], read_views_of(group));
-    } catch (const RequestError&) {
-        throw;
-    } catch (const std::invalid_argument& error) {
-        throw RequestError(group[0] + ": " + error.what());
-    }
+    return with_name(group[0], [&] { return image_of(pictures_of(group)); });
 }
 
-Frame PanelImages::image_of_card(PanelCard card)
+PanelPictures PanelImages::pictures_of_card(PanelCard card) const
 {
-    if (card == PanelCard::pitch)
-        return finished(as_sent(pitch_card(panel_)));
-    const ViewGrid grid = options_.views.value_or(
-        has_round_lenses(geometry_) ? ViewGrid{4, 4} : ViewGrid{card_views, 1});
-    const int count = grid.count();
+    PanelPictures pictures;
+    if (card == PanelCard::pitch) {
+        pictures.views = {as_sent(pitch_card(panel_))};
+        pictures.is_image = true;
+        return pictures;
+    }
+    pictures.grid = options_.views.value_or(has_round_lenses(geometry_) ? ViewGrid{4, 4}
+                                                                        : ViewGrid{card_views, 1});
+    const int count = pictures.grid.count();
     const auto lit = options_.lit_view;
     if (lit && (*lit < 0 || *lit >= count))
         throw RequestError("--view " + std::to_string(*lit) + ": a whole number from 0 to " +
                            std::to_string(count - 1) + " is expected");
-    auto views = card == PanelCard::views       ? view_number_card(count, shape_of(panel_.film))
-                 : card == PanelCard::crosstalk ? crosstalk_card(count, lit)
-                                                : colour_card(count, lit.value_or(count / 2));
-    return finished(interlaced(std::move(views), grid, std::nullopt,
-                               {Neighbours::nearest, Neighbours::nearest}, {}));
+    pictures.views = card == PanelCard::views       ? view_number_card(count, shape_of(panel_.film))
+                     : card == PanelCard::crosstalk ? crosstalk_card(count, lit)
+                                                    : colour_card(count, lit.value_or(count / 2));
+    pictures.blend = {Neighbours::nearest, Neighbours::nearest};
+    return pictures;
+}
+
+PanelPictures PanelImages::pictures_of(PanelCard card)
+{
+    return with_name(std::string("--card ") + name_of(card),
+                     [&] { return pictures_of_card(card); });
 }
 
 Frame PanelImages::card(PanelCard card)
 {
-    try {
-        return image_of_card(card);
-    } catch (const RequestError&) {
-        throw;
-    } catch (const std::invalid_argument& error) {
-        throw RequestError(std::string("--card ") + name_of(card) + ": " + error.what());
-    }
+    return with_name(std::string("--card ") + name_of(card),
+                     [&] { return image_of(pictures_of_card(card)); });
 }
 
 } // namespace integral

@@ -39,6 +39,20 @@ struct PanelImageOptions {
     std::function<Progress(const char*)> progress = [](const char*) { return Progress(); };
 };
 
+/// The pictures that a panel's image is interlaced from, and their places; or the image itself.
+struct PanelPictures {
+    std::vector<Image> views; ///< by number; or one picture: the image as it is sent to the panel
+    bool is_image = false;
+    ViewGrid grid{1, 1};
+    std::optional<EyeGrid> eyes; ///< of the views; nothing: the panel's own
+    Blend blend;
+    FittedPicture fit;            ///< the place of the views' pictures on the panel
+    std::optional<Aperture> zone; ///< the zone of eyes that see the image; nothing: the panel's
+};
+
+/// A picture over black in three channels of 8 or 16 bits.
+Image over_black(const Image& picture, int bits, Encoding encoding);
+
 /// Makes images for one panel; reuses intermediate results from image to image.
 class PanelImages {
 public:
@@ -61,6 +75,17 @@ public:
     /// The panel's image of a test card. Throws RequestError.
     Frame card(PanelCard card);
 
+    /// The pictures of which image_of, or card, makes an image. Throw the same.
+    PanelPictures pictures_of(const std::vector<std::string>& group);
+    PanelPictures pictures_of(PanelCard card);
+
+    /// The mapping for these pictures; valid until the next image is made. Throws RequestError and
+    /// Interrupted.
+    const PanelMapping& mapping_for(const PanelPictures& pictures);
+
+    const Panel& panel() const { return panel_; }
+    const PanelImageOptions& options() const { return options_; }
+
     /// Number of views in the last image; 0: it was a frame rendered for the panel.
     int views() const { return views_; }
 
@@ -68,15 +93,16 @@ private:
     std::optional<Frame> read_frame_of(const std::vector<std::string>& group) const;
     void check_directions(const std::string& name, const FrameMetadata& frame, ViewGrid grid) const;
     ViewInput read_views_of(const std::vector<std::string>& group) const;
-    Frame native_image(const std::string& name, const Frame& frame);
-    Frame image_of_card(PanelCard card);
-    Image interlaced(std::vector<Image> views, ViewGrid grid, std::optional<EyeGrid> eyes,
-                     Blend blend, const FittedPicture& picture);
+    PanelPictures native_image(const std::string& name, const Frame& frame) const;
+    PanelPictures pictures_of_frame(const std::string& name, const Frame& frame) const;
+    PanelPictures pictures_of_views(const std::string& name, ViewInput views) const;
+    PanelPictures pictures_of_card(PanelCard card) const;
+    Frame image_of(PanelPictures pictures);
     void map_picture(const FittedPicture& picture, std::optional<EyeGrid> eyes);
     void map_through_lenses(std::optional<EyeGrid> eyes);
     FittedPicture fitted_to_panel(double shape) const;
     Image as_sent(const Image& upright) const;
-    Frame finished(Image image, std::optional<Aperture> zone = std::nullopt) const;
+    Frame finished(Image image, std::optional<Aperture> zone) const;
 
     const Panel panel_;
     const PanelImageOptions options_;

@@ -5,6 +5,7 @@
 
 const numbers_whole = 0, numbers_part = 1;
 const split_number = (v) => [Math.floor(v), v - Math.floor(v)];
+const film_pixels_of = ({ film }) => [film.width, film.height];
 const film_size_of = ({ film }) => [film.width * film.pixel_pitch_mm[0], film.height * film.pixel_pitch_mm[1]];
 const slant_of = ({ sheet }) => (sheet.slant_degrees ?? 0) * Math.PI / 180;
 
@@ -129,6 +130,52 @@ class SheetDrawing {
     return { program, at: (name) => known[name] ??= gl.getUniformLocation(program, name) };
   }
 
+  // A picture's file from its base64 in the page's text, which begins at `begin`, piece by piece.
+  // `loaded` gets the share decoded so far, 0 to 0.5, and returns a promise.
+  async file(text, begin, type, loaded) {
+    const piece = 1 << 22; // a multiple of 4
+    const pieces = [];
+    for (let at = begin; at < text.length; at += piece) {
+      await loaded(0.5 * (at - begin) / (text.length - begin));
+      pieces.push(Uint8Array.from(atob(text.slice(at, at + piece)), (letter) => letter.charCodeAt(0)));
+    }
+    return new Blob(pieces, { type });
+  }
+
+  // Loads stored values of a picture of `size`, exact to the bit, in tiles that the graphics
+  // processor can hold, with sides of at most `tile`. `loaded` gets 0.5 to 1. Returns the tiles'
+  // size.
+  async fill(texture, source, size, tile, loaded) {
+    const { gl } = this;
+    const most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), tile);
+    const width = Math.min(size[0], most), height = Math.min(size[1], most);
+    const columns = Math.ceil(size[0] / width), rows = Math.ceil(size[1] / height);
+    if (columns * rows > gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS))
+      throw Error(`The picture of ${size[0]} by ${size[1]} pixels is too large for this device's graphics.`);
+    const bind = () => {
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+    };
+    bind();
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA8, width, height, columns * rows);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D_ARRAY, filter, gl.NEAREST);
+    for (let k = 0; k < columns * rows; ++k) {
+      const x = k % columns * width, y = Math.floor(k / columns) * height;
+      const w = Math.min(width, size[0] - x), h = Math.min(height, size[1] - y);
+      await loaded(0.5 + 0.5 * k / (columns * rows));
+      const bitmap = await createImageBitmap(source, x, y, w, h, { premultiplyAlpha: "none", colorSpaceConversion: "none" });
+      bind();
+      gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, k, w, h, 1, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+      bitmap.close();
+    }
+    if (gl.getError() === gl.OUT_OF_MEMORY)
+      throw Error("The picture does not fit into this device's graphics memory.");
+    return [width, height];
+  }
+
   // Textures of a view of `part` of a frame's sheet: [columns, rows].
   view_textures() { return [this.gl.createTexture(), this.gl.createTexture()]; }
   fill_view_textures(textures, geometry, size, part) {
@@ -181,8 +228,15 @@ class ReplayDrawing extends SheetDrawing {
   async add(frame, tile, loaded) {
     const { gl } = this;
     const film = { ...frame, texture: gl.createTexture(), view: this.view_textures() };
-    film.tile_size = await this.fill(film, tile, loaded);
+    film.tile_size = await this.fill(film.texture, await this.source_of(frame, loaded), film_pixels_of(frame.geometry), tile, loaded);
     this.films.push(film);
+  }
+
+  // A frame's picture, for fill.
+  async source_of({ geometry, picture, pixels }, loaded) {
+    if (pixels)
+      return new ImageData(new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length), ...film_pixels_of(geometry));
+    return this.file(picture.src, picture.src.indexOf(",") + 1, "image/png", loaded);
   }
 
   // Unloads all frames.
@@ -260,51 +314,5 @@ class ReplayDrawing extends SheetDrawing {
     gl.scissor(0, 0, width, height);
     gl.clearColor(0.094, 0.098, 0.106, 1);
     gl.clear(gl.COLOR_BUFFER_BIT);
-  }
-
-  // Decodes the frame's file from the page's text, piece by piece.
-  async file(picture, loaded) {
-    const text = picture.src, begin = text.indexOf(",") + 1, piece = 1 << 22; // a multiple of 4
-    const pieces = [];
-    for (let at = begin; at < text.length; at += piece) {
-      await loaded(0.5 * (at - begin) / (text.length - begin));
-      pieces.push(Uint8Array.from(atob(text.slice(at, at + piece)), (letter) => letter.charCodeAt(0)));
-    }
-    return new Blob(pieces, { type: "image/png" });
-  }
-
-  // Loads a frame's stored values, exact to the bit, in tiles that the graphics processor can hold.
-  // Returns the tiles' size.
-  async fill({ geometry, picture, pixels, texture }, tile, loaded) {
-    const { gl } = this, { film } = geometry;
-    const source = pixels ? new ImageData(new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length), film.width, film.height)
-                          : await this.file(picture, loaded);
-    const most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), tile);
-    const width = Math.min(film.width, most), height = Math.min(film.height, most);
-    const columns = Math.ceil(film.width / width), rows = Math.ceil(film.height / height);
-    if (columns * rows > gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS))
-      throw Error(`The frame of ${film.width} by ${film.height} pixels is too large for this device's graphics.`);
-    const bind = () => {
-      gl.activeTexture(gl.TEXTURE0);
-      gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
-    };
-    bind();
-    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA8, width, height, columns * rows);
-    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-    gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
-    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
-      gl.texParameteri(gl.TEXTURE_2D_ARRAY, filter, gl.NEAREST);
-    for (let k = 0; k < columns * rows; ++k) {
-      const x = k % columns * width, y = Math.floor(k / columns) * height;
-      const w = Math.min(width, film.width - x), h = Math.min(height, film.height - y);
-      await loaded(0.5 + 0.5 * k / (columns * rows));
-      const bitmap = await createImageBitmap(source, x, y, w, h, { premultiplyAlpha: "none", colorSpaceConversion: "none" });
-      bind();
-      gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, k, w, h, 1, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
-      bitmap.close();
-    }
-    if (gl.getError() === gl.OUT_OF_MEMORY)
-      throw Error("The frame does not fit into this device's graphics memory.");
-    return [width, height];
   }
 }

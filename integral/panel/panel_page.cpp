@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/panel/panel_page.h"
+
+#include "build/generated/page_texts.h" // panel_page_html and its like
+#include "integral/io/html_page.h"
+#include "integral/io/markup.h"
+#include "integral/views/quilt.h"
+
+#include <nlohmann/json.hpp>
+
+namespace integral {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int channels = 3;
+
+/// The pictures as 8 bits over black, with a notice if that changes them.
+std::vector<Image> page_pictures(const PanelImages& images, const PanelPictures& pictures,
+                                 const std::string& name)
+{
+    const Image& first = pictures.views[0];
+    if (sample_bits(first) > 8 || first.channels > channels)
+        images.options().tell(name + ": its pictures are converted to 8 bits over black, which "
+                                     "is what a page can show");
+    std::vector<Image> converted;
+    for (const Image& view : pictures.views)
+        converted.push_back(
+            over_black(view, 8, sample_bits(view) > 8 ? Encoding() : view.encoding));
+    return converted;
+}
+
+/// A table of phases as a picture: from the top, all first bytes of the phases, all second bytes
+/// and so on. Red, green and blue of a pixel have the phases of the panel's subpixels.
+Image picture_of(const PhaseTable& table)
+{
+    const bool whole = !table.phase32.empty();
+    const int planes = whole ? 4 : 2, width = std::max(1, table.columns / channels);
+    Image picture = make_image<std::uint8_t>(width, planes * table.rows, channels, Encoding());
+    auto& samples = std::get<std::vector<std::uint8_t>>(picture.samples);
+    const std::size_t plane = std::size_t(width) * table.rows * channels;
+    for (std::size_t i = 0; i < plane; ++i) {
+        const std::size_t at = table.columns == 1 ? i / channels : i;
+        const std::uint32_t phase = whole ? table.phase32[at] : table.phase16[at];
+        for (int k = 0; k < planes; ++k)
+            samples[k * plane + i] = std::uint8_t(phase >> 8 * (planes - 1 - k));
+    }
+    return picture;
+}
+
+/// The page's data of a table; its picture is in `uri`.
+Json json_of(const PhaseTable& table)
+{
+    if (table.rows == 0)
+        return nullptr;
+    return {{"size", {std::max(1, table.columns / channels), table.rows}},
+            {"planes", table.phase32.empty() ? 2 : 4},
+            {"picture", picture_uri(picture_of(table))}};
+}
+
+/// The phases that are added to those across, as a table.
+PhaseTable shift_of(const PanelMapping& mapping)
+{
+    PhaseTable table;
+    table.columns = 1;
+    table.phase32 = mapping.across.shift;
+    table.rows = int(table.phase32.size());
+    return table;
+}
+
+/// The values that are blended for each stored value of 8 bits, and for each stored value the least
+/// blended value that becomes it.
+Json light_of(const PanelImages& images, const Blend& blend, Encoding encoding)
+{
+    std::vector<int> light(256), least;
+    const bool blends = blend.views == Neighbours::linear || blend.pixels == Neighbours::linear;
+    if (!blends || images.options().encoded) {
+        for (int value = 0; value < 256; ++value)
+            light[value] = value;
+        return {{"light", light}, {"least", light}};
+    }
+    const Encoding linear{Encoding::Kind::linear, 1};
+    Image stored = make_image<std::uint8_t>(256, 1, channels, encoding);
+    Image all = make_image<std::uint16_t>(65536, 1, channels, linear);
+    for (int i = 0; i < 256 * channels; ++i)
+        std::get<std::vector<std::uint8_t>>(stored.samples)[i] = std::uint8_t(i / channels);
+    for (int i = 0; i < 65536 * channels; ++i)
+        std::get<std::vector<std::uint16_t>>(all.samples)[i] = std::uint16_t(i / channels);
+    stored = converted(stored, 16, linear, false);
+    all = converted(all, 8, encoding, false);
+    for (int value = 0; value < 256; ++value)
+        light[value] = std::get<std::vector<std::uint16_t>>(stored.samples)[value * channels];
+    const auto& samples = std::get<std::vector<std::uint8_t>>(all.samples);
+    for (int value = 0; value < 65536; ++value)
+        while (int(least.size()) <= samples[value * channels])
+            least.push_back(value);
+    return {{"light", light}, {"least", least}};
+}
+
+/// The mapping by which each pixel of the panel shows the same pixel of one picture.
+PanelMapping whole_picture(const Film& film)
+{
+    LookingGlassCalibration any; // its only view is seen from everywhere
+    any.width = film.width;
+    any.height = film.height;
+    any.pitch = any.slope = any.dpi = 1;
+    return mapping_of(any);
+}
+
+} // namespace
+
+std::string panel_page(PanelImages& images, const PanelPictures& pictures, const std::string& name)
+{
+    const Panel& panel = images.panel();
+    const PanelMapping mapping = pictures.is_image ? whole_picture(panel.film)
+                                                   : images.mapping_for(pictures);
+    const bool round = mapping.up.rows > 0;
+    const ViewGrid grid = pictures.grid;
+    std::vector<Image> views = page_pictures(images, pictures, name);
+    const Encoding encoding = views[0].encoding;
+    const int width = views[0].width, height = views[0].height;
+    const Image quilt = quilt_of_views(std::move(views), grid);
+    const Blend blend = pictures.is_image ? Blend{Neighbours::nearest, Neighbours::nearest}
+                                          : pictures.blend;
+    const bool mirrors = !panel.calibration && !pictures.is_image;
+    const Json data = {
+        {"name", name},
+        {"panel", panel.name},
+        {"size", {mapping.width, mapping.height}},
+        {"picture_size", {quilt.width, quilt.height}},
+        {"grid", {grid.columns, grid.rows}},
+        {"views", {round ? grid.columns : grid.count(), round ? grid.rows : 1}},
+        {"view", {width, height}},
+        {"blends", {blend.views == Neighbours::linear, blend.pixels == Neighbours::linear}},
+        {"is_separable", mapping.is_separable()},
+        {"has_unseen", mapping.has_unseen},
+        {"mirrored", {mirrors && panel.mirrored_x, mirrors && panel.mirrored_y}},
+        {"shown",
+         {mapping.left, mapping.top, mapping.width - mapping.right,
+          mapping.height - mapping.bottom}},
+        {"values", light_of(images, blend, encoding)},
+        {"tables",
+         {{"across", json_of(mapping.across)},
+          {"shift", json_of(shift_of(mapping))},
+          {"up", json_of(mapping.up)},
+          {"x", json_of(mapping.x)},
+          {"y", json_of(mapping.y)}}}};
+    return filled_template(panel_page_html,
+                           {{"DATA", json_within_html(data.dump())},
+                            {"PICTURE", picture_uri(quilt)},
+                            {"SHADER", panel_page_glsl},
+                            {"SCRIPT", std::string(replay_drawing_js) + panel_page_js}});
+}
+
+} // namespace integral
