@@ -4,6 +4,7 @@
 #include "integral/cli/lcd_options.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
+#include "integral/io/video.h"
 #include "integral/panel/panel_files.h"
 #include "integral/panel/panel_page.h"
 #include "integral/panel/panel_text.h"
@@ -28,9 +29,12 @@ void make_page(const LcdOptions& o, const LcdRequest& lcd, PanelImages& images,
     if (groups.size() > 1)
         throw UsageError("--html makes a page of one picture; several are given");
     check_outputs({o.html});
-    const PanelPictures pictures = lcd.card ? images.pictures_of(*lcd.card)
-                                            : images.pictures_of(groups[0]);
-    write_file(*o.html, panel_page(images, pictures, groups[0][0]));
+    const Arguments& group = groups[0];
+    write_file(*o.html, is_video(group[0]) ? panel_video_page(images, group[0])
+                                           : panel_page(images,
+                                                        lcd.card ? images.pictures_of(*lcd.card)
+                                                                 : images.pictures_of(group),
+                                                        group[0]));
 }
 
 /// --html, --show and -o: makes the images of all inputs, or a test card.
@@ -170,6 +174,9 @@ any other the views of its own zone are drawn first. Several frames or quilts ma
 Panels with a maker's calibration are interlaced by the mapping that its maker publishes,
 others through the exact optics of their lenses. The image carries the geometry of a frame, so that
 integral replay shows what eyes see of it; but where the panel is mirrored it does not.
+
+--html writes a page that does the same in a browser, on machines without this program: one file
+with INPUT, also with a quilt video (.mp4, .webm). In full screen on the panel it shows the image.
 
 --show and --play bring pictures to a display pixel for pixel; they are never scaled. 8-bit samples
 reach it as they are; 16-bit ones are rounded, linear light becomes sRGB, transparent parts black.

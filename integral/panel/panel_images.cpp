@@ -3,6 +3,7 @@
 
 #include "integral/base/interrupt.h"
 #include "integral/base/number_text.h"
+#include "integral/frame/quilt_name.h"
 #include "integral/io/image_file.h"
 #include "integral/panel/panel_cards.h"
 #include "integral/replay/arrange.h"
@@ -422,6 +423,26 @@ PanelPictures PanelImages::pictures_of(const std::vector<std::string>& group)
         return frame ? pictures_of_frame(group[0], *frame)
                      : pictures_of_views(group[0], read_views_of(group));
     });
+}
+
+PanelPictures PanelImages::pictures_of_video(const std::string& path) const
+{
+    const auto name = quilt_in_name(path);
+    if (!name && !(options_.views && options_.aspect))
+        throw RequestError(path +
+                           ": its name does not end as a quilt's, as in film_qs8x6a0.75.mp4; "
+                           "rename it, or give --views CxR and --aspect A");
+    if (name && options_.views)
+        throw RequestError(path + ": its name gives the views; leave --views out");
+    if (options_.right_to_left)
+        throw RequestError(path + ": --right-to-left does not work with a video");
+    PanelPictures pictures;
+    pictures.grid = name ? name->grid : *options_.views;
+    pictures.fit = fitted_to_panel(options_.aspect.value_or(name ? name->aspect : 1));
+    if (pictures.fit.differs())
+        options_.tell(path + ": " + fit_text(pictures.fit, "the panel"));
+    pictures.blend = options_.blend;
+    return pictures;
 }
 
 Frame PanelImages::image_of(const std::vector<std::string>& group)

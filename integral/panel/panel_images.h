@@ -79,6 +79,10 @@ public:
     PanelPictures pictures_of(const std::vector<std::string>& group);
     PanelPictures pictures_of(PanelCard card);
 
+    /// The same for a quilt video, without `views`: the video is not read. Throws RequestError if
+    /// neither its name nor the options give the views.
+    PanelPictures pictures_of_video(const std::string& path) const;
+
     /// The mapping for these pictures; valid until the next image is made. Throws RequestError and
     /// Interrupted.
     const PanelMapping& mapping_for(const PanelPictures& pictures);

@@ -2,6 +2,7 @@
 #include "integral/panel/panel_page.h"
 
 #include "build/generated/page_texts.h" // panel_page_html and its like
+#include "integral/base/file_bytes.h"
 #include "integral/io/html_page.h"
 #include "integral/io/markup.h"
 #include "integral/views/quilt.h"
@@ -107,19 +108,22 @@ PanelMapping whole_picture(const Film& film)
     return mapping_of(any);
 }
 
-} // namespace
+/// The quilt in a page. A video's sizes are 0: the page finds them.
+struct PageQuilt {
+    std::string uri; ///< the picture or video, as a data URI
+    ViewGrid grid;
+    int width = 0, height = 0, view_width = 0, view_height = 0; ///< pixels
+};
 
-std::string panel_page(PanelImages& images, const PanelPictures& pictures, const std::string& name)
+/// A page for a quilt that is made of the pictures, or for a video.
+std::string page_of(PanelImages& images, const PanelPictures& pictures, const std::string& name,
+                    Encoding encoding, const PageQuilt& quilt)
 {
     const Panel& panel = images.panel();
     const PanelMapping mapping = pictures.is_image ? whole_picture(panel.film)
                                                    : images.mapping_for(pictures);
     const bool round = mapping.up.rows > 0;
     const ViewGrid grid = pictures.grid;
-    std::vector<Image> views = page_pictures(images, pictures, name);
-    const Encoding encoding = views[0].encoding;
-    const int width = views[0].width, height = views[0].height;
-    const Image quilt = quilt_of_views(std::move(views), grid);
     const Blend blend = pictures.is_image ? Blend{Neighbours::nearest, Neighbours::nearest}
                                           : pictures.blend;
     const bool mirrors = !panel.calibration && !pictures.is_image;
@@ -127,10 +131,10 @@ std::string panel_page(PanelImages& images, const PanelPictures& pictures, const
         {"name", name},
         {"panel", panel.name},
         {"size", {mapping.width, mapping.height}},
+        {"grid", {quilt.grid.columns, quilt.grid.rows}},
         {"picture_size", {quilt.width, quilt.height}},
-        {"grid", {grid.columns, grid.rows}},
+        {"view", {quilt.view_width, quilt.view_height}},
         {"views", {round ? grid.columns : grid.count(), round ? grid.rows : 1}},
-        {"view", {width, height}},
         {"blends", {blend.views == Neighbours::linear, blend.pixels == Neighbours::linear}},
         {"is_separable", mapping.is_separable()},
         {"has_unseen", mapping.has_unseen},
@@ -147,9 +151,50 @@ std::string panel_page(PanelImages& images, const PanelPictures& pictures, const
           {"y", json_of(mapping.y)}}}};
     return filled_template(panel_page_html,
                            {{"DATA", json_within_html(data.dump())},
-                            {"PICTURE", picture_uri(quilt)},
+                            {"PICTURE", quilt.uri},
                             {"SHADER", panel_page_glsl},
                             {"SCRIPT", std::string(replay_drawing_js) + panel_page_js}});
+}
+
+/// The quilt of `count` views whose longer side is shortest; graphics have a longest side. The
+/// views have the same numbers in all quilts.
+ViewGrid compact_grid(int count, int view_width, int view_height)
+{
+    ViewGrid best{count, 1};
+    const auto longer_side = [&](ViewGrid grid) {
+        return std::max(grid.columns * view_width, grid.rows * view_height);
+    };
+    for (int rows = 2; rows <= count; ++rows)
+        if (const ViewGrid grid{count / rows, rows};
+            count % rows == 0 && longer_side(grid) < longer_side(best))
+            best = grid;
+    return best;
+}
+
+} // namespace
+
+std::string panel_page(PanelImages& images, const PanelPictures& pictures, const std::string& name)
+{
+    std::vector<Image> views = page_pictures(images, pictures, name);
+    const Encoding encoding = views[0].encoding;
+    PageQuilt quilt;
+    quilt.view_width = views[0].width;
+    quilt.view_height = views[0].height;
+    quilt.grid = compact_grid(int(views.size()), quilt.view_width, quilt.view_height);
+    const Image picture = quilt_of_views(std::move(views), quilt.grid);
+    quilt.width = picture.width;
+    quilt.height = picture.height;
+    quilt.uri = picture_uri(picture);
+    return page_of(images, pictures, name, encoding, quilt);
+}
+
+std::string panel_video_page(PanelImages& images, const std::string& path)
+{
+    const PanelPictures pictures = images.pictures_of_video(path);
+    PageQuilt quilt;
+    quilt.uri = "data:video/" + extension_of(path) + ";base64," + base64(read_file(path));
+    quilt.grid = pictures.grid;
+    return page_of(images, pictures, path, Encoding(), quilt);
 }
 
 } // namespace integral

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Interlaces views for a panel: interlace.cpp's Interlacer::sample for each subpixel, in the same
-// whole numbers. Phases and steps are those of panel_mapping.h and interlace_rows.h.
+// whole numbers. panel_mapping.h and interlace_rows.h explain phases and steps.
 precision highp float;
 precision highp int;
 precision highp sampler2DArray;

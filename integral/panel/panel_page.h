@@ -10,11 +10,14 @@
 
 namespace integral {
 
-/// A page that contains the pictures, as a quilt, and the mapping of the panel of `images`. Its
-/// image equals the one that `images` makes, subpixel by subpixel, if the pictures have 8 bits and
+/// A page that contains the pictures, as a quilt, and the mapping of the panel in `images`. Its
+/// image equals the one made by `images`, subpixel by subpixel, if the pictures have 8 bits and
 /// no alpha; others are converted to that first, with a notice. `name`: the pictures' name.
 /// Throws RequestError and Interrupted.
 std::string panel_page(PanelImages& images, const PanelPictures& pictures, const std::string& name);
+
+/// The same for a quilt video, which the page plays in a loop. Throws InputError, too.
+std::string panel_video_page(PanelImages& images, const std::string& path);
 
 } // namespace integral
 

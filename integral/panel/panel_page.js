@@ -40,13 +40,46 @@ class PanelDrawing extends SheetDrawing {
     return texture;
   }
 
-  // Loads the tables, and the quilt from its data URI.
+  // Loads the tables, and the quilt or video from its data URI. `tile` and `loaded` as for fill.
   async load(uri, tile, loaded) {
     for (const name of this.tables) {
       const { size, planes, picture } = page.tables[name] ?? { size: [1, 1], planes: 0 };
       await this.load_picture(name, picture, [size[0], size[1] * planes], tile, async () => {});
     }
-    await this.load_picture("quilt", uri, page.picture_size, tile, loaded);
+    if (uri.startsWith("data:video"))
+      await this.load_video(uri, loaded);
+    else
+      await this.load_picture("quilt", uri, page.picture_size, tile, loaded);
+  }
+
+  async load_video(uri, loaded) {
+    const { gl } = this, video = document.createElement("video");
+    const unreadable = Error("This browser cannot play the video: take another browser, or encode it as VP9 in a .webm or H.264 in an .mp4.");
+    video.muted = video.loop = video.playsInline = true;
+    video.src = URL.createObjectURL(await this.file(uri, uri.indexOf(",") + 1, uri.slice(5, uri.indexOf(";")), loaded));
+    await new Promise((done, failed) => {
+      video.addEventListener("loadeddata", done);
+      video.addEventListener("error", () => failed(unreadable));
+    });
+    const { videoWidth: width, videoHeight: height } = video, [columns, rows] = page.grid;
+    const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    if (width < columns || height < rows)
+      throw Error(`The video's ${size_text(width, height)} pixels hold no ${size_text(columns, rows)} views.`);
+    if (Math.max(width, height) > most)
+      throw Error(`The video has ${size_text(width, height)} pixels; this device's graphics holds ${size_text(most, most)}.`);
+    page.picture_size = this.tiles.quilt = [width, height];
+    page.view = [Math.floor(width / columns), Math.floor(height / rows)];
+    this.textures.quilt = gl.createTexture();
+    this.prepare_tiles(this.textures.quilt, width, height, 1);
+    this.video = video;
+    this.take_video_picture();
+  }
+
+  // Takes the video's picture of this moment for the quilt.
+  take_video_picture() {
+    const { gl, video } = this;
+    this.bind_tiles(this.textures.quilt);
+    gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, 0, video.videoWidth, video.videoHeight, 1, gl.RGBA, gl.UNSIGNED_BYTE, video);
   }
 
   async load_picture(name, uri, size, tile, loaded) {
@@ -122,6 +155,27 @@ function draw() {
   document.body.dataset.drawn = on_panel ? "panel" : "view";
 }
 
+// Draws each picture of a video, and lets the user stop it.
+function play() {
+  const { video } = drawing;
+  const next = () => {
+    drawing.take_video_picture();
+    draw();
+    wait();
+  };
+  const wait = () => "requestVideoFrameCallback" in video ? video.requestVideoFrameCallback(next) : requestAnimationFrame(next);
+  wait();
+  element("pause").hidden = false;
+  element("pause").addEventListener("click", turn_pause);
+  video.play();
+}
+
+function turn_pause() {
+  const { video } = drawing;
+  element("pause").textContent = video.paused ? "Pause" : "Play";
+  return video.paused ? video.play() : video.pause();
+}
+
 // Enters full screen, on the screen that has the panel's size if the browser lists the screens, or
 // leaves it.
 async function turn_full_screen() {
@@ -162,6 +216,8 @@ async function begin() {
   });
   drawing = fresh;
   draw();
+  if (drawing.video)
+    play();
 }
 
 for (const event of ["resize", "fullscreenchange"])
@@ -169,10 +225,15 @@ for (const event of ["resize", "fullscreenchange"])
 canvas.addEventListener("click", turn_full_screen);
 element("full").addEventListener("click", turn_full_screen);
 window.addEventListener("keydown", (event) => {
-  if (event.key.toLowerCase() === "f" && !event.ctrlKey && !event.metaKey && !event.altKey) {
-    event.preventDefault();
+  if (event.ctrlKey || event.metaKey || event.altKey)
+    return;
+  if (event.key.toLowerCase() === "f")
     turn_full_screen();
-  }
+  else if (event.key === " " && drawing?.video && event.target.tagName !== "BUTTON")
+    turn_pause();
+  else
+    return;
+  event.preventDefault();
 });
 draw();
 begin().catch((error) => {

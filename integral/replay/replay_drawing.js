@@ -142,6 +142,23 @@ class SheetDrawing {
     return new Blob(pieces, { type });
   }
 
+  bind_tiles(texture) {
+    const { gl } = this;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+  }
+
+  // Makes room for stored values of `count` tiles.
+  prepare_tiles(texture, width, height, count) {
+    const { gl } = this;
+    this.bind_tiles(texture);
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA8, width, height, count);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D_ARRAY, filter, gl.NEAREST);
+  }
+
   // Loads stored values of a picture of `size`, exact to the bit, in tiles that the graphics
   // processor can hold, with sides of at most `tile`. `loaded` gets 0.5 to 1. Returns the tiles'
   // size.
@@ -152,22 +169,13 @@ class SheetDrawing {
     const columns = Math.ceil(size[0] / width), rows = Math.ceil(size[1] / height);
     if (columns * rows > gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS))
       throw Error(`The picture of ${size[0]} by ${size[1]} pixels is too large for this device's graphics.`);
-    const bind = () => {
-      gl.activeTexture(gl.TEXTURE0);
-      gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
-    };
-    bind();
-    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 1, gl.RGBA8, width, height, columns * rows);
-    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-    gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
-    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
-      gl.texParameteri(gl.TEXTURE_2D_ARRAY, filter, gl.NEAREST);
+    this.prepare_tiles(texture, width, height, columns * rows);
     for (let k = 0; k < columns * rows; ++k) {
       const x = k % columns * width, y = Math.floor(k / columns) * height;
       const w = Math.min(width, size[0] - x), h = Math.min(height, size[1] - y);
       await loaded(0.5 + 0.5 * k / (columns * rows));
       const bitmap = await createImageBitmap(source, x, y, w, h, { premultiplyAlpha: "none", colorSpaceConversion: "none" });
-      bind();
+      this.bind_tiles(texture);
       gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, k, w, h, 1, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
       bitmap.close();
     }
