@@ -140,6 +140,7 @@ unit_sources = \
   tests/unit/reconstruction_noise_filter.cpp \
   tests/unit/reconstruction_pass_rows.cpp \
   tests/unit/reconstruction_pass_schedule.cpp \
+  tests/unit/reconstruction_quilts.cpp \
   tests/unit/reconstruction_refinement.cpp \
   tests/unit/replay_comparators.cpp \
   tests/unit/replay_draft.cpp \

@@ -24,6 +24,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/frame/names.h \
   integral/frame/picture_fit.cpp \
   integral/frame/picture_fit.h \
+  integral/frame/quilt_geometry.h \
   integral/frame/quilt_name.cpp \
   integral/frame/quilt_name.h \
   integral/frame/recorded_camera.cpp \

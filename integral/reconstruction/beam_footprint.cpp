@@ -76,6 +76,7 @@ BeamFootprint::BeamFootprint(const IntegralCamera& camera, const LightFieldRay& 
         axis.pixel_slope = float(steepness(slope) * pixel_along(part, direction));
     };
     set_slopes(axes_[0], sx, lattice.across());
+    divergence_ = widening_ = axes_[0].pixel_slope / axes_[0].cell_at_sheet;
     if (lattice.arrangement() != Arrangement::lenticular) {
         axes_[1].cell_at_sheet = float(lattice.row_spacing());
         set_slopes(axes_[1], sy, lattice.along());
@@ -108,6 +109,22 @@ BeamFootprint::BeamFootprint(const IntegralCamera& camera, const LightFieldRay& 
         axes_[1].cell_at_sheet += by_cell;
         lean_ = lean;
     }
+}
+
+BeamFootprint BeamFootprint::of_view(Vec2 pixel, double distance, Vec2 furthest_eye,
+                                     double next_eye)
+{
+    BeamFootprint footprint;
+    const auto set = [&](Axis& axis, double width, double furthest) {
+        axis.pixel_at_sheet = float(width);
+        axis.pixel_slope = axis.step_slope = float(width / distance);
+        axis.max_slope_offset = float(furthest / distance);
+        axis.max_lens_distance = 1e9f; // no limit
+    };
+    set(footprint.axes_[0], pixel.x, furthest_eye.x);
+    set(footprint.axes_[1], pixel.y, furthest_eye.y);
+    footprint.divergence_ = float(next_eye / (distance * std::min(pixel.x, pixel.y)));
+    return footprint;
 }
 
 ReuseNeighbourhood::ReuseNeighbourhood(const Lattice& lattice, const Film& film)

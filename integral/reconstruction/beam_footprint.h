@@ -32,6 +32,12 @@ public:
     BeamFootprint(const IntegralCamera& camera, const LightFieldRay& centre, Vec2 size,
                   float furthest);
 
+    /// Footprint of a pixel of a quilt: all its rays meet in the eye, so that the lens's width is
+    /// 0. `pixel`: width and height of the pixel at the sheet, mm. `distance`: of the eye from the
+    /// sheet, mm. `furthest_eye`: the largest distance of another eye whose samples are used,
+    /// horizontally and vertically, mm. `next_eye`: the distance of the next eye, mm.
+    static BeamFootprint of_view(Vec2 pixel, double distance, Vec2 furthest_eye, double next_eye);
+
     /// The two widths that determine the footprint's density along one axis, in mm at the depth z
     /// (mm): the lens's, cell_at_sheet + cell_slope |z|, and the pixel's, |pixel_at_sheet +
     /// pixel_slope z|.
@@ -70,6 +76,12 @@ public:
     };
     /// The axis across (0) or along (1) the lattice.
     const Axis& axis(int which) const { return axes_[which]; }
+    /// Depth scale (per mm): the rays of the nearest beams diverge by a footprint's width over
+    /// 1/divergence().
+    float divergence() const { return divergence_; }
+    /// How fast the beam widens, per mm of distance from the sheet, as a fraction of the lens's
+    /// width; 0 for a quilt's pixels, whose beams hold the rays of one eye.
+    float widening() const { return widening_; }
     /// lean() times a place (slope) across the lines is subtracted from the one along the lines.
     float lean() const { return lean_; }
     /// The largest slope difference between the beam's rays and the central one, along both axes.
@@ -83,7 +95,7 @@ public:
 
 private:
     std::array<Axis, 2> axes_; ///< across and along the lattice
-    float lean_ = 0;
+    float lean_ = 0, divergence_ = 0, widening_ = 0;
 };
 
 /// Finds the pixels whose samples a pixel uses: the pixel itself, and pixels of nearly the same
@@ -105,7 +117,8 @@ public:
     struct Scratch {
         /// Nearness of the steps along both axes: see find_nearness.
         std::array<std::vector<Eight>, 2> nearness;
-        std::vector<Found> found; ///< only the first `number` are valid
+        std::vector<double> parts; ///< see ViewReuse::find_in
+        std::vector<Found> found;  ///< only the first `number` are valid
         std::size_t number = 0;
         const Found* begin() const { return found.data(); }
         const Found* end() const { return found.data() + number; }

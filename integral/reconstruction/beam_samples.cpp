@@ -32,18 +32,29 @@ LightFieldRay light_field_ray(const Lattice& lattice, const BeamRay& ray)
     return {along_axes(point), along_axes(slope)};
 }
 
+/// The range of tilts that are stored: up to surfaces edge-on to a ray 1/100 of a pixel from the
+/// sample's ray.
+static double most_tilt_of(const IntegralCamera& camera)
+{
+    const LensSheet& sheet = camera.optics.sheet();
+    const double pixel = std::max(camera.film.pixel_pitch.x, camera.film.pixel_pitch.y);
+    return 100 * sheet.thickness / (sheet.ior * pixel);
+}
+
 BeamSamples::BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> memory)
-    : width_(camera.film.width),
-      size_(std::ptrdiff_t(camera.film.width) * camera.film.height),
+    : BeamSamples(camera.film.width, camera.film.height, most_tilt_of(camera), std::move(memory))
+{
+}
+
+BeamSamples::BeamSamples(int width, int height, double most_tilt, std::shared_ptr<void> memory)
+    : width_(width),
+      size_(std::ptrdiff_t(width) * height),
+      tilt_unit_(float(most_tilt) / most_short),
       memory_(memory ? std::move(memory)
                      : zeroed_memory((bytes_of_pixels + bytes_of_lenders) * size_)),
       pixels_(static_cast<Pixel*>(memory_.get())),
       lenders_(reinterpret_cast<std::uint32_t*>(pixels_ + size_))
 {
-    // The range includes surfaces edge-on to a ray 1/100 of a pixel from the sample's ray.
-    const LensSheet& sheet = camera.optics.sheet();
-    const double pixel = std::max(camera.film.pixel_pitch.x, camera.film.pixel_pitch.y);
-    tilt_unit_ = float(100 * sheet.thickness / (sheet.ior * pixel)) / most_short;
 }
 
 BeamSamples::Sample BeamSamples::stored(const Seen& seen) const

@@ -55,6 +55,9 @@ public:
     /// `memory`: room for both arrays, for all of the film's pixels; all 0, aligned to 8. Null: the
     /// object allocates its own.
     explicit BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> memory = nullptr);
+    /// The same for a picture of width x height pixels. `most_tilt`: the largest Seen::tilt that
+    /// can be stored.
+    BeamSamples(int width, int height, double most_tilt, std::shared_ptr<void> memory = nullptr);
 
     /// A sample before it is stored.
     struct Seen {

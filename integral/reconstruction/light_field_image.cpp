@@ -50,11 +50,18 @@ std::size_t LightFieldImage::bytes(const Film& film)
     return bytes_a_pixel * film.width * film.height;
 }
 
-LightFieldImage::LightFieldImage(const IntegralCamera& camera, std::shared_ptr<void> memory)
-    : width_(camera.film.width),
-      height_(camera.film.height),
-      memory_(memory ? std::move(memory) : zeroed_memory(bytes(camera.film))),
+LightFieldImage::LightFieldImage(int width, int height, std::shared_ptr<void> memory)
+    : width_(width),
+      height_(height),
+      indices_are_whole_(true),
+      memory_(memory ? std::move(memory)
+                     : zeroed_memory(bytes_a_pixel * std::size_t(width) * std::size_t(height))),
       entries_(static_cast<Entry*>(memory_.get()))
+{
+}
+
+LightFieldImage::LightFieldImage(const IntegralCamera& camera, std::shared_ptr<void> memory)
+    : LightFieldImage(camera.film.width, camera.film.height, std::move(memory))
 {
     const Lattice& lattice = camera.optics.lattice();
     const Vec2 pixel = camera.film.pixel_pitch, pole = lattice.pole({0, 0});
@@ -108,7 +115,7 @@ std::array<std::optional<FourFloats>, 2> LightFieldImage::colours_behind_next_le
                                                                                      int y) const
 {
     const Entry* own = at(x, y);
-    if (!own || std::abs(axes_[0][0].y) > 1)
+    if (!own || axes_.empty() || std::abs(axes_[0][0].y) > 1)
         return {};
     const auto colour_of = [](const Entry* entry) {
         return entry ? std::optional(encoded(*entry)) : std::nullopt;

@@ -43,6 +43,10 @@ public:
     /// null: the object allocates its own.
     explicit LightFieldImage(const IntegralCamera& camera, std::shared_ptr<void> memory = nullptr);
 
+    /// The image of a quilt: pixels have neighbours in their own view alone. A view takes the place
+    /// of a lens.
+    LightFieldImage(int width, int height, std::shared_ptr<void> memory = nullptr);
+
     LightFieldImage(LightFieldImage&&) = default;
     LightFieldImage(const LightFieldImage&) = delete;
 

@@ -31,5 +31,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/reconstruction/signal_and_noise.h \
   integral/reconstruction/split_half_error.cpp \
   integral/reconstruction/split_half_error.h \
+  integral/reconstruction/view_reuse.cpp \
+  integral/reconstruction/view_reuse.h \
   integral/reconstruction/weighted_samples.cpp \
   integral/reconstruction/weighted_samples.h

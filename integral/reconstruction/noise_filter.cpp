@@ -19,7 +19,7 @@ namespace {
 // along the lines, because these look at another height. Tuned by comparing frames of POV-Ray's
 // sample scenes with converged ones.
 constexpr float apart_behind_lenses = 0.25f, apart_across_lines = 0.12f, apart_along_lines = 0.8f,
-                apart_from_one = 0.25f;
+                apart_in_view = 0.15f, apart_from_one = 0.25f;
 
 // Half-width of the window over which squares are averaged, and margin that also includes the
 // furthest pixels that are mixed.
@@ -233,6 +233,11 @@ struct NoiseFilter::Scratch {
 void NoiseFilter::FreeScratch::operator()(Scratch* scratch) const { delete scratch; }
 
 NoiseFilter::ScratchPointer NoiseFilter::make_scratch() { return ScratchPointer(new Scratch); }
+
+NoiseFilter::NoiseFilter(const LightFieldImage& finished) : finished_(finished)
+{
+    apart_.fill(apart_in_view);
+}
 
 NoiseFilter::NoiseFilter(const IntegralCamera& camera, const LightFieldImage& finished)
     : finished_(finished)

@@ -30,6 +30,8 @@ public:
     /// Refers to `finished`, which must outlive this object. When a block is filtered, `finished`
     /// must contain the reconstructed frame's colours in and around it (LightFieldImage::recolour).
     NoiseFilter(const IntegralCamera& camera, const LightFieldImage& finished);
+    /// The same for a quilt.
+    explicit NoiseFilter(const LightFieldImage& finished);
 
     /// reach_around: half-width of the window over which squares are averaged. reach_along:
     /// distance of the furthest pixels that are mixed. rows: greatest distance, in rows, of a pixel

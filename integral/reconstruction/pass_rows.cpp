@@ -27,14 +27,25 @@ std::vector<bool> around(const std::vector<bool>& rows, int reach)
 } // namespace
 
 PassRows::PassRows(const LensSheet& sheet, const Film& film, int block_side, bool reconstructs)
-    : side_(block_side),
-      reconstructs_(reconstructs),
-      refine_margin_(refine_margin_rows(sheet, film))
+    : PassRows(block_side, refine_margin_rows(sheet, film),
+               reconstructs ? std::optional(ReuseNeighbourhood(Lattice(sheet), film).rows())
+                            : std::nullopt)
 {
-    if (!reconstructs)
+}
+
+PassRows::PassRows(const QuiltGeometry& quilt, int block_side, bool reconstructs)
+    : PassRows(block_side, 1, reconstructs ? std::optional(ViewReuse(quilt).rows()) : std::nullopt)
+{
+}
+
+/// `reused_from`: greatest distance of a pixel whose samples another pixel uses; nothing: the
+/// picture is not reconstructed.
+PassRows::PassRows(int block_side, int refine_margin, std::optional<int> reused_from)
+    : side_(block_side), reconstructs_(reused_from.has_value()), refine_margin_(refine_margin)
+{
+    if (!reconstructs_)
         return;
-    estimated_from_ = std::max({Reconstruction::reach_around,
-                                ReuseNeighbourhood(Lattice(sheet), film).rows(), refine_margin_});
+    estimated_from_ = std::max({Reconstruction::reach_around, *reused_from, refine_margin_});
     reconstructed_from_ = 2 * Reconstruction::reach_around;
     filtered_from_ = NoiseFilter::rows;
 }

@@ -6,6 +6,7 @@
 
 #include "integral/optics/camera.h"
 #include "integral/reconstruction/pass_schedule.h"
+#include "integral/frame/quilt_geometry.h"
 
 #include <vector>
 
@@ -19,6 +20,8 @@ public:
     /// pixels of a block that show a signal (signal_and_noise.h). `reconstructs`: whether the frame
     /// is also reconstructed and filtered.
     PassRows(const LensSheet& sheet, const Film& film, int block_side, bool reconstructs);
+    /// The same for a quilt.
+    PassRows(const QuiltGeometry& quilt, int block_side, bool reconstructs);
 
     /// Distances, in rows, of the data that a pass needs around a pixel: first samples for
     /// refinement, refined pixels for layers, layers for reconstruction, reconstructed pixels for
@@ -43,6 +46,7 @@ public:
                                      const std::vector<bool>& counting) const;
 
 private:
+    PassRows(int block_side, int refine_margin, std::optional<int> reused_from);
     int whole_blocks(int rows) const { return (rows + side_ - 1) / side_ * side_; }
     std::vector<bool> of_blocks(const std::vector<bool>& rows) const;
 

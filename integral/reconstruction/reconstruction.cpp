@@ -135,6 +135,7 @@ struct Reconstruction::PixelEstimate {
 
 struct Reconstruction::Scratch {
     ReuseNeighbourhood::Scratch lending;
+    std::vector<float> depths;
     SampleLayers layers;
     BlockWindow<Noise> noise;
     BlockWindow<Residual> beside;
@@ -159,18 +160,35 @@ bool Reconstruction::possible(const IntegralCamera& camera)
 Reconstruction::Reconstruction(const IntegralCamera& camera, const LightFieldImage& first,
                                const BeamSamples& samples, double least_error,
                                std::shared_ptr<void> memory)
-    : camera_(camera),
-      first_(first),
+    : Reconstruction(camera.film.width, camera.film.height, first, samples, least_error,
+                     camera.optics.lattice().arrangement() == Arrangement::lenticular,
+                     std::move(memory))
+{
+    camera_ = &camera;
+    lending_.emplace(camera.optics.lattice(), camera.film);
+}
+
+Reconstruction::Reconstruction(const QuiltGeometry& quilt, const LightFieldImage& first,
+                               const BeamSamples& samples, double least_error,
+                               std::shared_ptr<void> memory)
+    : Reconstruction(quilt.width, quilt.height, first, samples, least_error, true,
+                     std::move(memory))
+{
+    views_.emplace(quilt);
+}
+
+Reconstruction::Reconstruction(int width, int height, const LightFieldImage& first,
+                               const BeamSamples& samples, double least_error, bool is_lenticular,
+                               std::shared_ptr<void> memory)
+    : first_(first),
       samples_(samples),
-      lending_(camera.optics.lattice(), camera.film),
-      width_(camera.film.width),
-      height_(camera.film.height),
+      width_(width),
+      height_(height),
       least_variance_(float(3 * least_error * least_error)),
-      linear_noise_in_smooth_(camera.optics.lattice().arrangement() == Arrangement::lenticular
-                                  ? linear_noise_in_smooth_lines
-                                  : linear_noise_in_smooth),
+      linear_noise_in_smooth_(is_lenticular ? linear_noise_in_smooth_lines
+                                            : linear_noise_in_smooth),
       memory_(memory ? std::move(memory)
-                     : zeroed_memory(bytes_a_pixel * camera.film.width * camera.film.height)),
+                     : zeroed_memory(bytes_a_pixel * std::size_t(width) * std::size_t(height))),
       pixels_(static_cast<Pixel*>(memory_.get()))
 {
 }
@@ -230,32 +248,62 @@ Reconstruction::MeanNoise Reconstruction::mean_noise(int x, int y, float prior,
     return result;
 }
 
+/// Adds the samples that were found for the pixel with the index `own`, apart from its own.
+void Reconstruction::add_samples(const ReuseNeighbourhood::Scratch& found, std::ptrdiff_t own,
+                                 WeightedSamples& weighed) const
+{
+    for (const ReuseNeighbourhood::Found& eight : found) {
+        unsigned which = samples_.lending(eight.index, eight.which, eight.lens);
+        if (const std::ptrdiff_t own_place = own - eight.index; own_place >= 0 && own_place < 8)
+            which &= ~(1u << own_place);
+        weighed.add(samples_.pixels_from(eight.index), which, *eight.parts);
+    }
+}
+
+/// gather() for a quilt.
+void Reconstruction::gather_of_views(int x, int y, Scratch& scratch) const
+{
+    const BeamSamples::Pixel& own = samples_.pixel(x, y);
+    const auto tile = *first_.lens(x, y);
+    std::vector<float>& depths = scratch.depths;
+    depths.assign(1, float(first_.depth(x, y)));
+    first_.for_each_neighbour(x, y,
+                              [&](int i, int j) { depths.push_back(float(first_.depth(i, j))); });
+    for (int k = 0; k + 1 < own.number; ++k)
+        depths.push_back(own.more[k].depth);
+    for (float& depth : depths)
+        depth = std::clamp(depth, -BeamSamples::furthest_depth, BeamSamples::furthest_depth);
+    std::sort(depths.begin(), depths.end());
+    WeightedSamples& weighed = scratch.layers.samples();
+    weighed.begin(views_->footprint(), own.centre, samples_);
+    if (samples_.is_reusable(index(x, y)))
+        weighed.add_own(own);
+    views_->find(x, y, {tile[0], tile[1]}, depths, scratch.lending);
+    add_samples(scratch.lending, std::ptrdiff_t(index(x, y)), weighed);
+}
+
 /// Gathers in scratch.layers all samples that a pixel may use, its own and other pixels'.
 void Reconstruction::gather(int x, int y, Scratch& scratch) const
 {
+    if (views_)
+        return gather_of_views(x, y, scratch);
     const BeamSamples::Pixel& own = samples_.pixel(x, y);
-    const auto cut = first_.lens_around(x, y) ? std::nullopt : cut_pixel(camera_, first_, x, y);
+    const auto cut = first_.lens_around(x, y) ? std::nullopt : cut_pixel(*camera_, first_, x, y);
     const LightFieldRay& centre = cut ? cut->centre : own.centre;
     std::array<float, 2> depths = first_.depths_around(x, y);
     for (int k = 0; k + 1 < own.number; ++k)
         depths = {std::min(depths[0], own.more[k].depth), std::max(depths[1], own.more[k].depth)};
     for (float& depth : depths)
         depth = std::clamp(depth, -BeamSamples::furthest_depth, BeamSamples::furthest_depth);
-    const BeamFootprint patch(camera_, centre, cut ? cut->size : Vec2{1, 1},
+    const BeamFootprint patch(*camera_, centre, cut ? cut->size : Vec2{1, 1},
                               std::max(-depths[0], depths[1]));
     WeightedSamples& weighed = scratch.layers.samples();
     const std::ptrdiff_t own_index = index(x, y);
     weighed.begin(patch, centre, samples_);
     if (samples_.is_reusable(own_index))
         weighed.add_own(own);
-    lending_.find(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending);
-    for (const ReuseNeighbourhood::Found& found : scratch.lending) {
-        unsigned which = samples_.lending(found.index, found.which, found.lens);
-        if (const std::ptrdiff_t own_place = own_index - found.index;
-            own_place >= 0 && own_place < 8)
-            which &= ~(1u << own_place);
-        weighed.add(samples_.pixels_from(found.index), which, *found.parts);
-    }
+    lending_->find(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending);
+    add_samples(scratch.lending, own_index, weighed);
 }
 
 void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& block,
@@ -292,8 +340,9 @@ void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& bl
                 continue;
             pixel.layers = StoredLight(light->light);
             pixel.others = 1 - light->own_part;
-            pixel.noise = is_one ? std::max(noise.variance, scratch.layers.samples().variance())
-                                 : noise.variance;
+            pixel.noise = is_one && !views_
+                              ? std::max(noise.variance, scratch.layers.samples().variance())
+                              : noise.variance;
         }
 }
 
@@ -375,7 +424,8 @@ Reconstruction::Neighbourhood Reconstruction::neighbourhood(
         result.all_noise += other.rest_squares[squares::noise];
         ++number;
     });
-    result.smooth_part = 0.5f * (part_above(smooth[squares::noise], smooth[squares::square]) +
+    const float noise = (views_ ? noise_in_smooth_of_views : 1) * smooth[squares::noise];
+    result.smooth_part = 0.5f * (part_above(noise, smooth[squares::square]) +
                                  part_above(linear_noise_in_smooth_ * smooth[squares::linear_noise],
                                             smooth[squares::linear_square]));
     result.rest_squares /= weight;

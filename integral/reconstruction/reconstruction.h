@@ -25,6 +25,8 @@
 #include "integral/reconstruction/block_window.h"
 #include "integral/reconstruction/pass_schedule.h"
 #include "integral/reconstruction/refinement.h"
+#include "integral/reconstruction/view_reuse.h"
+#include "integral/reconstruction/weighted_samples.h"
 
 #include <cstdint>
 #include <cstring>
@@ -43,6 +45,11 @@ public:
     /// `memory`: bytes_a_pixel for each of the film's pixels, all 0, aligned to 2; null: the object
     /// allocates its own.
     Reconstruction(const IntegralCamera& camera, const LightFieldImage& first,
+                   const BeamSamples& samples, double least_error,
+                   std::shared_ptr<void> memory = nullptr);
+
+    /// The same for a quilt, whose views use each other's samples.
+    Reconstruction(const QuiltGeometry& quilt, const LightFieldImage& first,
                    const BeamSamples& samples, double least_error,
                    std::shared_ptr<void> memory = nullptr);
 
@@ -167,10 +174,18 @@ private:
     float find_surroundings(const PictureBlock& block, Scratch& scratch) const;
     void take_extra(int x, int y, const ExtraSamples& further, PixelEstimate& own) const;
 
-    const IntegralCamera& camera_;
+    Reconstruction(int width, int height, const LightFieldImage& first, const BeamSamples& samples,
+                   double least_error, bool is_lenticular, std::shared_ptr<void> memory);
+    void add_samples(const ReuseNeighbourhood::Scratch& found, std::ptrdiff_t own,
+                     WeightedSamples& weighed) const;
+    void gather_of_views(int x, int y, Scratch& scratch) const;
+
     const LightFieldImage& first_;
     const BeamSamples& samples_;
-    ReuseNeighbourhood lending_;
+    /// Of a frame, camera_ and lending_ are set; of a quilt, views_ is.
+    const IntegralCamera* camera_ = nullptr;
+    std::optional<ReuseNeighbourhood> lending_;
+    std::optional<ViewReuse> views_;
     int width_, height_;
     float least_variance_;
     float linear_noise_in_smooth_; ///< see signal_and_noise.h

@@ -93,8 +93,10 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::find_layers()
 /// mostly pieces of a floor, and the sky.
 inline void SampleLayers::join_far_layers()
 {
-    const float first = (scaled(widened_behind_by / steepness_) - scaled(samples_.nearest())) /
-                        step;
+    const float widening = samples_.patch().widening();
+    if (!(widening > 0))
+        return;
+    const float first = (scaled(widened_behind_by / widening) - scaled(samples_.nearest())) / step;
     const auto far = std::find_if(layers_.begin(), layers_.end(),
                                   [&](const Layer& layer) { return layer.first_step >= first; });
     if (layers_.end() - far <= 2)
@@ -370,7 +372,7 @@ template <class Floats> INTEGRAL_INLINE FourFloats SampleLayers::light_with()
     if (layers_.size() < 2)
         return only_layer<Floats>();
     const float nearest = std::max(samples_.nearest(), -samples_.furthest()); // < 0: on both sides
-    const bool is_far = nearest * steepness_ > widened_by;
+    const bool is_far = nearest * samples_.patch().widening() > widened_by;
     if (is_far && is_floor())
         return only_layer<Floats>();
     if (!is_far)
@@ -391,8 +393,7 @@ std::optional<SampleLayers::Light> SampleLayers::light()
     samples_.weigh();
     if (!(samples_.weight() > 0))
         return {};
-    const BeamFootprint::Axis& axis = samples_.patch().axis(0);
-    steepness_ = axis.pixel_slope / axis.cell_at_sheet;
+    steepness_ = samples_.patch().divergence();
     covers_.clear();
     FourFloats light;
 #ifdef INTEGRAL_HAS_AVX2
