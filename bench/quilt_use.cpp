@@ -5,6 +5,7 @@
 #include "integral/panel/interlace.h"
 #include "integral/panel/interlace_rows.h"
 #include "integral/panel/panel.h"
+#include "integral/panel/panel_quilt.h"
 
 #include <cstdio>
 #include <vector>
@@ -12,24 +13,6 @@
 using namespace integral;
 
 namespace {
-
-struct Recommended {
-    const char* panel;
-    ViewGrid grid;
-    int width, height; ///< of the quilt, pixels
-};
-
-constexpr Recommended recommended[] = {
-    {"looking-glass-portrait", {8, 6}, 3360, 3360},
-    {"looking-glass-go", {11, 6}, 4092, 4092},
-    {"looking-glass-16-landscape", {7, 7}, 5999, 5999},
-    {"looking-glass-16-portrait", {11, 6}, 5995, 6000},
-    {"looking-glass-32-landscape", {7, 7}, 8190, 8190},
-    {"looking-glass-65", {8, 9}, 8192, 8192},
-    {"looking-glass-8-9", {5, 9}, 4096, 4096},
-    {"looking-glass-8-9", {5, 9}, 2048, 2048},
-    {"looking-glass-15-6", {5, 9}, 4096, 4096},
-};
 
 struct Unread {
     double pixels, samples;
@@ -76,16 +59,18 @@ int main()
     std::printf("| panel | quilt | rays: quilt, native | unread pixels (samples), %%: nearest "
                 "views and pixels | linear pixels | linear views | both linear |\n"
                 "|---|---|---|---|---|---|---|\n");
-    for (const Recommended& r : recommended) {
-        const Panel panel = *panel_named(r.panel);
+    for (const RecommendedQuilt& recommended : recommended_quilts()) {
+        const PanelQuilt& r = recommended.quilt;
+        const Panel panel = *panel_named(recommended.panel);
         const PanelMapping mapping = mapping_of(*panel.calibration);
-        const int width = r.width / r.grid.columns, height = r.height / r.grid.rows;
-        std::printf("| %s | %d x %d views, %d x %d | %.1f, %.1f million |", r.panel, r.grid.columns,
-                    r.grid.rows, r.width, r.height, 1e-6 * width * height * r.grid.count(),
+        const int width = r.width / r.tiles.columns, height = r.height / r.tiles.rows;
+        std::printf("| %s | %d x %d views, %d x %d | %.1f, %.1f million |",
+                    recommended.panel.c_str(), r.tiles.columns, r.tiles.rows, r.width, r.height,
+                    1e-6 * width * height * r.tiles.count(),
                     3e-6 * panel.film.width * panel.film.height);
         for (const bool views : {false, true})
             for (const bool pixels : {false, true}) {
-                const Unread share = unread(mapping, r.grid, width, height, views, pixels);
+                const Unread share = unread(mapping, r.tiles, width, height, views, pixels);
                 std::printf(" %.1f (%.1f) |", share.pixels, share.samples);
             }
         std::printf("\n");

@@ -92,7 +92,10 @@ void use_panel(const LcdOptions& o, const LcdRequest& lcd)
     if (o.describe)
         return print_result(o.output, to_json(panel));
     if (o.camera)
-        return print_result(o.output, render_settings(panel, lcd.image.views));
+        return print_result(
+            o.output, render_settings(panel, o.quilt || o.views
+                                                 ? std::optional(quilt_for(panel, lcd.image.views))
+                                                 : std::nullopt));
     make_images(o, lcd, panel);
 }
 

@@ -84,8 +84,10 @@ void declare(options::options_description& all, LcdOptions& o)
     add(all, "describe", o.describe,
         "print the panel's description, to be changed and given to --panel");
     add(all, "camera", o.camera,
-        "print what povray-integral needs to render for the panel: an INI file's lines; with "
-        "--views those for a quilt");
+        "print what povray-integral needs to render for the panel: an INI file's lines");
+    add(all, "quilt", o.quilt,
+        "with --camera: the lines for a quilt, of the size that the display's maker recommends, or "
+        "with --views of that many views");
     add(all, "show", o.show, "DISPLAY",
         "show the picture on this display, pixel for pixel: its number or name, or auto, the only "
         "one of the picture's size. Escape, q or Ctrl-C ends it");
@@ -126,6 +128,8 @@ void check_panel_options(const LcdOptions& o, const LcdRequest& lcd)
 {
     if (int(o.describe) + int(o.camera) + int(lcd.card.has_value()) > 1)
         throw UsageError("--describe, --camera and --card do not go together");
+    if (o.quilt && !o.camera)
+        throw UsageError("--quilt is for --camera");
     if (!o.inputs.empty())
         throw_if_given({{"describe", o.describe}, {"camera", o.camera}, {"card", o.card}},
                        "takes no INPUT");

@@ -19,8 +19,8 @@ struct LcdOptions : CommonOptions {
         seconds;
     std::string blend = "linear", sampling = "linear";
     std::optional<int> view;
-    bool encoded = false, list = false, describe = false, camera = false, play = false,
-         loop = false, list_displays = false, json = false;
+    bool encoded = false, list = false, describe = false, camera = false, quilt = false,
+         play = false, loop = false, list_displays = false, json = false;
     FitOptions fit;
     ViewOrderOptions given_views;
     ThreadOptions threads;

@@ -25,6 +25,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/panel/panel_mapping.h \
   integral/panel/panel_page.cpp \
   integral/panel/panel_page.h \
+  integral/panel/panel_quilt.cpp \
+  integral/panel/panel_quilt.h \
   integral/panel/panel_text.cpp \
   integral/panel/panel_text.h
 

@@ -42,17 +42,23 @@ std::string panels_text()
     return text;
 }
 
-std::string render_settings(Panel panel, const std::optional<ViewGrid>& quilt)
+std::string render_settings(const Panel& panel, const std::optional<PanelQuilt>& quilt)
 {
-    constexpr int longer_side = 4096; // of a quilt, pixels at least
-    Film& film = panel.film;
+    std::string words = camera_words(frame_geometry(panel));
+    PixelSize size{panel.film.width, panel.film.height};
     if (quilt) {
-        const int finer = (longer_side - 1) / std::max(film.width, film.height) + 1;
-        film = {film.width * finer, film.height * finer, (1.0 / finer) * film.pixel_pitch};
+        // The window keeps its size in mm whatever number of pixels is rendered.
+        const Vec2 window = size_of(panel.film);
+        const std::string film = film_words(panel.film);
+        words.replace(words.find(film), film.size(),
+                      "film { pixel_pitch <" + with_digits(window.x, 12) + "/image_width, " +
+                          with_digits(window.y, 12) + "/image_height> }");
+        size = {quilt->width, quilt->height};
     }
-    return "Width=" + std::to_string(film.width) + "\nHeight=" + std::to_string(film.height) +
-           "\nIntegral_Camera=\"" + camera_words(frame_geometry(panel)) + " " + fit_words() + "\"\n" +
-           (quilt ? "Integral_Quilt=" + size_text(quilt->columns, quilt->rows) + "\n" : "");
+    return "Width=" + std::to_string(size.width) + "\nHeight=" + std::to_string(size.height) +
+           "\nIntegral_Camera=\"" + words + " " + fit_words() + "\"\n" +
+           (quilt ? "Integral_Quilt=" + size_text(quilt->tiles.columns, quilt->tiles.rows) + "\n"
+                  : "");
 }
 
 } // namespace integral

@@ -4,8 +4,8 @@
 #define INTEGRAL_PANEL_PANEL_TEXT_H
 
 #include "integral/base/json.h"
-#include "integral/frame/view_grid.h"
 #include "integral/panel/panel.h"
+#include "integral/panel/panel_quilt.h"
 
 #include <optional>
 #include <string>
@@ -16,9 +16,9 @@ namespace integral {
 std::string panels_text();
 Json panels_json();
 
-/// Lines of an INI file with which povray-integral renders for a panel: its image, or a quilt with
-/// this grid.
-std::string render_settings(Panel panel, const std::optional<ViewGrid>& quilt);
+/// Lines of an INI file with which povray-integral renders for a panel: its image, or a quilt. With
+/// other numbers of pixels the quilt shows the same views.
+std::string render_settings(const Panel& panel, const std::optional<PanelQuilt>& quilt);
 
 } // namespace integral
 
