@@ -235,10 +235,9 @@ private:
 struct UnfitOption {
     const char *keyword, *letters, *shown, *why;
 };
-const char *const whole_frames = "settings are found for whole frames",
-                  *const no_error = "of these frames no error is estimated";
+const char* const whole_frames = "settings are found for whole frames";
 const UnfitOption unfit_options[] = {
-    {"integral_quilt", "", "Integral_Quilt", no_error},
+    {"integral_quilt", "", "Integral_Quilt", whole_frames},
     {"integral_rows", "", "Integral_Rows", whole_frames},
     {"start_row", "sr", "+SR", whole_frames},
     {"end_row", "er", "+ER", whole_frames},

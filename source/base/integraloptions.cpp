@@ -219,15 +219,17 @@ void Read_Quilt(const std::string& text, POVMS_Object& options, int height,
                                     std::to_string(width) + "x" + std::to_string(height) +
                                     " pixels has no room for so many views; give a larger +W and "
                                     "+H");
-    const char *const other = !result.error_picture.empty()         ? "Integral_Error_Image"
+    const char *const other = result.sharing == IntegralSharing::on ? "Integral_Sharing"
                               : options.Exist(kIntegralAttrib_Rows) ? "Integral_Rows"
                                                                     : nullptr;
     if (other)
-        throw std::invalid_argument("Integral_Quilt and " + std::string(other) +
-                                    " do not go together: that is of a frame");
-    if (result.antialias && options.TryGetInt(kPOVAttrib_SamplingMethod, 1) == 2)
-        throw std::invalid_argument("Integral_Quilt does not work with +AM2, whose samples at the "
-                                    "corners of pixels would mix neighbouring views; use +AM1");
+        throw std::invalid_argument("Integral_Quilt does not work with " + std::string(other) +
+                                    ", which is of a frame; leave one of them out");
+    if (result.antialias && !result.light_field && result.method == 2)
+        throw std::invalid_argument(
+            "Integral_Quilt with Integral_Antialiasing=pixels does not work "
+            "with +AM2, whose samples at the corners of pixels would mix "
+            "neighbouring views; use +AM1");
     result.quilt = grid;
 }
 
@@ -292,8 +294,8 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
         result.most_memory = std::size_t(megabytes) << 20;
     result.continued = options.Exist(kPOVAttrib_PixelSkipList) ||
                        options.TryGetInt(kPOVAttrib_PixelId, 0) > 0;
-    result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) &&
-                       options.TryGetInt(kPOVAttrib_SamplingMethod, 1) > 0;
+    result.method = options.TryGetInt(kPOVAttrib_SamplingMethod, 1);
+    result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) && result.method > 0;
 
     Read_Quilt(word(kIntegralAttrib_Quilt), options, height, result);
 

@@ -67,6 +67,7 @@ struct IntegralRenderOptions
     std::optional<integral::ViewGrid> quilt; ///< Integral_Quilt=; nothing: a frame
     bool continued = false;                  ///< +C: some pixels come from an earlier run
     bool antialias = false;                  ///< +A with a method other than 0
+    int method = 1;                          ///< +AM
     bool light_field = true;                 ///< Integral_Antialiasing=light_field; false: pixels
     bool reconstruct = true;                 ///< Integral_Reconstruction=
     double threshold = 0.3;                  ///< +A's threshold

@@ -126,9 +126,9 @@ private:
         if (!pixel)
             return IntegralPixel::Without_Light();
         const auto& [hit, ray] = pixel->sample;
-        const integral::Lattice& lattice = trace.Integral().View().optics->optics.lattice();
-        sampling.Lent()->set_first(x, y, integral::light_field_ray(lattice, pixel->centre),
-                                   pixel->lens, trace.Integral().Seen(ray, hit));
+        sampling.Lent()->set_first(
+            x, y, integral::light_field_ray(trace.Integral().View().Lattice(), pixel->centre),
+            pixel->lens, trace.Integral().Seen(ray, hit));
         return {hit.light, pixel->lens, hit.depth};
     }
 

@@ -54,6 +54,7 @@ std::uint64_t Key(int x, int y)
 
 IntegralAudit::IntegralAudit(const IntegralView& view, std::uint64_t seed)
     : optics(view.optics),
+      quilt(view.quilt),
       counts(view.counts),
       output(view.error.output),
       radiosity(view.error.radiosity),
@@ -88,10 +89,17 @@ void IntegralAudit::Note(const POVRect& rect, const std::vector<Colour>& colours
     for (int y = rect.top; y <= int(rect.bottom); y++)
         for (int x = rect.left; x <= int(rect.right); x += integral::run_length)
         {
+            const int last = std::min(x + integral::run_length - 1, int(rect.right));
+            if (quilt)
+            {
+                for (int i = x; i <= last; i++)
+                    squared_errors.push_back(quilt->tile(i, y) ? unknown : unlit);
+                continue;
+            }
             for (int k = 0; k < integral::run_length; k++)
                 film_points[k] = integral::film_from_pixel(optics->film, {x + k + 0.5, y + 0.5});
             optics->optics.map_run(integral::run_length, film_points, optics->mapping, mapped);
-            for (int k = 0; k < integral::run_length && x + k <= int(rect.right); k++)
+            for (int k = 0; x + k <= last; k++)
                 squared_errors.push_back(mapped[k].ray ? unknown : unlit);
         }
     Note(rect, colours, squared_errors);
@@ -104,7 +112,8 @@ void IntegralAudit::Note(const std::vector<Vector2d>& positions, const std::vect
     {
         const int x = int(positions[index].x()), y = int(positions[index].y());
         const integral::Vec2 point = integral::film_from_pixel(optics->film, {x + 0.5, y + 0.5});
-        if (optics->optics.map(point, optics->mapping).ray)
+        if (quilt ? quilt->tile(x, y).has_value()
+                  : optics->optics.map(point, optics->mapping).ray.has_value())
             lit.push_back(Candidate_At(x, y, colours[index], unknown));
     }
     Note(lit, positions.size());

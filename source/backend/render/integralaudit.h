@@ -19,6 +19,7 @@
 #include "base/image/image.h"
 #include "base/integraloptions.h"
 #include "integral/frame/error_estimate.h"
+#include "integral/sampling/quilt_sampler.h"
 
 namespace pov
 {
@@ -97,6 +98,7 @@ private:
     void Report_Picture(const std::string& error) const;
 
     std::shared_ptr<const integral::IntegralCamera> optics;
+    std::shared_ptr<const integral::QuiltSampler> quilt; ///< null: the picture is a frame
     std::shared_ptr<const IntegralCounts> counts;
     integral::OutputCurve output;
     bool radiosity, of_ambient_noise;

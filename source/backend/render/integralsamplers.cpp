@@ -16,6 +16,8 @@ namespace pov
 std::optional<IntegralFirstSamples::Pixel> IntegralFirstSamples::Trace(int x, int y)
 {
     const IntegralView& view = tracer.View();
+    if (view.quilt)
+        return Trace_Of_View(x, y);
     if (y != run_y || x < run_x || x >= run_x + integral::run_length)
     {
         run_x = x;
@@ -34,18 +36,38 @@ std::optional<IntegralFirstSamples::Pixel> IntegralFirstSamples::Trace(int x, in
     return Pixel{outcome.lens, integral::pole_beam(*mapped.ray), {tracer.Trace(ray), ray}};
 }
 
+std::optional<IntegralFirstSamples::Pixel> IntegralFirstSamples::Trace_Of_View(int x, int y)
+{
+    const integral::QuiltSampler& quilt = *tracer.View().quilt;
+    const auto tile = quilt.tile(x, y);
+    integral::PixelOutcome outcome;
+    outcome.film_points = 1;
+    outcome.imaged = tile ? 1 : 0;
+    outcome.outside_aperture = tile ? 0 : 1; // unused: a quilt's pixels outside its views
+    tracer.Count(outcome, outcome.imaged);
+    if (!tile)
+        return std::nullopt;
+    const integral::BeamRay ray = *quilt.sample(x, y, same_pattern, 0);
+    tracer.Begin_Sample(x, y, 0);
+    return Pixel{*tile, *quilt.ray({x + 0.5, y + 0.5}), {tracer.Trace(ray), ray}};
+}
+
 void IntegralBeam::Begin(int at_x, int at_y, bool same_pattern,
                          const integral::LightFieldImage& image)
 {
     const IntegralView& view = tracer.View();
     x = at_x;
     y = at_y;
+    light = IntegralLight();
+    of_view = view.quilt != nullptr;
+    of_same_pattern = same_pattern;
+    if (of_view)
+        return;
     std::optional<integral::LensIndex> around;
     if (view.optics->film.subpixels == integral::Subpixels::none)
         around = image.lens_around(x, y);
     beam = view.sampler->beam({x + 0.5, y + 0.5}, same_pattern, image.depth(x, y), around);
     run_begin = run_end = 0;
-    light = IntegralLight();
 }
 
 /// Sets `rays` to the rays of a sample: one for each channel; none if another lens images it.
@@ -53,6 +75,11 @@ void IntegralBeam::Append_Rays(std::uint32_t index, int number)
 {
     const integral::PixelSampler& sampler = *tracer.View().sampler;
     rays.clear();
+    if (of_view)
+    {
+        rays.push_back({*tracer.View().quilt->sample(x, y, of_same_pattern, index)});
+        return;
+    }
     if (beam.number != 1)
         return sampler.append_sample(beam, index, rays);
     if (index < run_begin || index >= run_end)
@@ -85,6 +112,12 @@ Colour Trace_Integral_Reference(IntegralTracer& tracer, int x, int y, std::uint6
     rays.clear();
     tracer.Begin_Reference(x, y, set, index);
     IntegralLight light;
+    if (const auto& quilt = tracer.View().quilt)
+    {
+        if (const auto ray = quilt->reference(x, y, set, index))
+            return tracer.Trace(*ray).light;
+        return IntegralPixel::Without_Light().colour;
+    }
     return tracer.View().sampler->append_reference_ray({x + 0.5, y + 0.5}, set, index, rays)
                ? tracer.Trace(rays, light).light
                : IntegralPixel::Without_Light().colour;

@@ -46,6 +46,8 @@ public:
     std::optional<Pixel> Trace(int x, int y);
 
 private:
+    std::optional<Pixel> Trace_Of_View(int x, int y);
+
     IntegralTracer& tracer;
     const bool same_pattern;
     int run_x = 0, run_y = -1; ///< the first pixel of the run; initially none
@@ -78,6 +80,7 @@ private:
 
     IntegralTracer& tracer;
     int x = 0, y = 0;
+    bool of_view = false, of_same_pattern = false; ///< of_view: the picture is a quilt
     integral::PixelBeam beam;
     IntegralLight light;
     std::uint32_t run_begin = 0, run_end = 0; ///< the samples whose rays are in `run`

@@ -43,22 +43,41 @@ std::vector<std::size_t> Parts(bool reconstructs)
 
 }
 
+static integral::PassRows Pass_Rows(const integral::IntegralCamera& camera,
+                                    const std::optional<integral::QuiltGeometry>& quilt, int side,
+                                    bool reconstructs)
+{
+    return quilt ? integral::PassRows(*quilt, side, reconstructs)
+                 : integral::PassRows(camera.optics.sheet(), camera.film, side, reconstructs);
+}
+
 IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
+                                   const std::optional<integral::QuiltGeometry>& quilt,
                                    const pov_base::IntegralRows& rows, int side,
                                    std::size_t most_memory, bool reconstructs, double least_error)
     : rows(rows),
       width(camera.film.width),
       height(camera.film.height),
       side(side),
-      reconstructs(reconstructs && integral::Reconstruction::possible(camera)),
-      pass_rows(camera.optics.sheet(), camera.film, side, this->reconstructs),
+      reconstructs(reconstructs && (quilt || integral::Reconstruction::possible(camera))),
+      pass_rows(Pass_Rows(camera, quilt, side, this->reconstructs)),
       parts(Parts(this->reconstructs)),
       memory(Memory(camera.film, most_memory)),
-      first(camera, Part(first_part)),
+      first(quilt ? integral::LightFieldImage(width, height, Part(first_part))
+                  : integral::LightFieldImage(camera, Part(first_part))),
       colours(static_cast<Colour *>(Part(colours_part).get()))
 {
     if (!this->reconstructs)
         return;
+    if (quilt)
+    {
+        lent.reset(new integral::BeamSamples(width, height, integral::ViewReuse(*quilt).most_tilt(),
+                                             Part(lent_part)));
+        reconstructor.reset(new integral::Reconstruction(*quilt, first, *lent, least_error,
+                                                         Part(reconstruction_part)));
+        filter.reset(new integral::NoiseFilter(first));
+        return;
+    }
     lent.reset(new integral::BeamSamples(camera, Part(lent_part)));
     reconstructor.reset(
         new integral::Reconstruction(camera, first, *lent, least_error, Part(reconstruction_part)));

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -61,8 +62,11 @@ public:
     /// `most_memory`: limit of main memory, bytes. `reconstructs`: whether the frame is to be
     /// reconstructed, if that is possible; `least_error`: see integral::Reconstruction. Throws
     /// pov_base::Exception if there is no room.
-    IntegralSampling(const integral::IntegralCamera& camera, const pov_base::IntegralRows& rows,
-                     int side, std::size_t most_memory, bool reconstructs, double least_error);
+    /// `quilt`: of the picture; nothing: it is a frame.
+    IntegralSampling(const integral::IntegralCamera& camera,
+                     const std::optional<integral::QuiltGeometry>& quilt,
+                     const pov_base::IntegralRows& rows, int side, std::size_t most_memory,
+                     bool reconstructs, double least_error);
 
     /// Takes the blocks of the view that are to be rendered, and makes the schedule of all passes.
     /// Later calls have no effect. Any thread may call it.

@@ -224,8 +224,7 @@ void IntegralTracer::Count_Error(DBL y, const IntegralLight& light)
 integral::BeamSamples::Seen IntegralTracer::Seen(const integral::BeamRay& ray,
                                                  const IntegralHit& hit) const
 {
-    const integral::LightFieldRay line =
-        integral::light_field_ray(view->optics->optics.lattice(), ray);
+    const integral::LightFieldRay line = integral::light_field_ray(view->Lattice(), ray);
     return {line, hit.depth, Linear(hit.light), Tilt(line, hit)};
 }
 
@@ -237,7 +236,7 @@ std::array<float, 2> IntegralTracer::Tilt(const integral::LightFieldRay& line,
         return {};
     // A plane's normal is a covector: its components along the sheet's axes are dot products.
     const integral::Placement& placement = view->optics->placement;
-    const integral::Lattice& lattice = view->optics->optics.lattice();
+    const integral::Lattice& lattice = view->Lattice();
     integral::Vec3 facing{dot(hit.normal, placement.x), dot(hit.normal, placement.y),
                           dot(hit.normal, placement.z)};
     if (view->optics->parallax)

@@ -116,13 +116,6 @@ static void Move_To_Eye(Camera& camera, const integral::IntegralCamera& optics)
 /// Error of a colour component, relative to +A's threshold, below which reducing it does not pay.
 static constexpr double least_error_of_threshold = 0.01;
 
-/// Starts a quilt. Its rays are perspective cameras' rays, for which the sharing, sampling and
-/// error estimates of lenses do not work.
-static void Start_Quilt(IntegralView& view, integral::ViewGrid tiles, int width, int height)
-{
-    view.quilt = std::make_shared<integral::QuiltSampler>(*view.optics, tiles, width, height);
-}
-
 static void Begin(Camera& camera, const std::shared_ptr<const IntegralView>& view)
 {
     camera.Integral_View = view;
@@ -155,32 +148,36 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
             throw std::invalid_argument("Integral_Quilt and projection_lens do not go together: "
                                         "render the views without the lens");
         if (given.quilt)
-            Start_Quilt(*view, *given.quilt, width, height);
+            view->quilt = std::make_shared<integral::QuiltSampler>(*view->optics, *given.quilt,
+                                                                   width, height, given.seed);
         if (!given.depth_picture.empty())
             view->depth = std::make_shared<IntegralDepth>(*view, given.depth_picture,
                                                           camera.Integral->distances);
-        if (given.quilt)
-            return Begin(camera, view);
         view->rows = given.rows;
         view->seed = given.seed;
         // The two halves do not include anti-aliasing's samples and cannot make an error picture.
-        const bool by_halves = given.audit && !given.antialias && given.error_picture.empty() &&
-                               view->sampler->halves_tell_error();
+        const bool by_halves = given.audit && !given.quilt && !given.antialias &&
+                               given.error_picture.empty() && view->sampler->halves_tell_error();
         view->error = {by_halves, scene.radiositySettings.radiosityEnabled, given.audit_share,
                        given.output, given.error_picture, given.continued};
-        // Sharing and reconstruction assume that the eyes are in the aperture.
+        // Shading and radiosity's light are shared by beams of lenses, which a quilt's pixels do
+        // not have. They and reconstruction assume that the eyes are in the aperture.
+        const bool shares = !projects && !given.quilt;
         if (given.antialias && given.light_field && !projects)
+        {
+            const auto quilt = view->quilt ? std::optional(view->quilt->geometry()) : std::nullopt;
             view->sampling = std::make_shared<IntegralSampling>(
-                *view->optics, given.rows, given.block_side, given.most_memory, given.reconstruct,
-                least_error_of_threshold * given.threshold);
+                *view->optics, quilt, given.rows, given.block_side, given.most_memory,
+                given.reconstruct, least_error_of_threshold * given.threshold);
+        }
         // Reconstruction gains more than sharing, and its own error is smaller.
         view->cache_expensive_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
         const bool reconstructs = view->sampling && view->sampling->Reconstruction();
-        if (!projects && (given.sharing == pov_base::IntegralSharing::on ||
-                          (view->cache_expensive_shading_only && given.antialias && !reconstructs)))
+        if (shares && (given.sharing == pov_base::IntegralSharing::on ||
+                       (view->cache_expensive_shading_only && given.antialias && !reconstructs)))
             view->shading_cache = std::make_shared<IntegralShadingCache>(
                 *view->optics, Patches_In_Beam(*view->optics, given));
-        if (reconstructs && scene.radiositySettings.radiosityEnabled &&
+        if (shares && reconstructs && scene.radiositySettings.radiosityEnabled &&
             view->cache_expensive_shading_only)
             view->ambient_cells = std::make_shared<IntegralShadingCache>(
                 *view->optics, IntegralSharedAmbient::cells_in_beam,

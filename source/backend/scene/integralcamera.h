@@ -144,6 +144,12 @@ struct IntegralView
     pov_base::IntegralClipping clipping; ///< of the light of each ray
     std::uint64_t seed = 0;     ///< Integral_Seed=
     pov_base::IntegralRows rows; ///< the rows that count (Integral_Rows=)
+
+    /// The lattice whose axes are those of the stored rays: a quilt's are the picture's.
+    const integral::Lattice& Lattice() const
+    {
+        return quilt ? quilt->upright() : optics->optics.lattice();
+    }
 };
 
 /// The optics for a frame of width x height pixels, from the statement and the vectors of `camera`.
