@@ -84,10 +84,11 @@ void declare(options::options_description& all, LcdOptions& o)
     add(all, "describe", o.describe,
         "print the panel's description, to be changed and given to --panel");
     add(all, "camera", o.camera,
-        "print what povray-integral needs to render for the panel: an INI file's lines");
+        "print what povray-integral needs to render for the panel: an INI file's lines; with "
+        "--quilt or --views those for a quilt");
     add(all, "quilt", o.quilt,
-        "with --camera: the lines for a quilt, of the size that the display's maker recommends, or "
-        "with --views of that many views");
+        "with --camera: the lines for a quilt, as the display's maker recommends it (other panels: "
+        "8x6 views), or with --views of that many views");
     add(all, "show", o.show, "DISPLAY",
         "show the picture on this display, pixel for pixel: its number or name, or auto, the only "
         "one of the picture's size. Escape, q or Ctrl-C ends it");

@@ -11,7 +11,7 @@ namespace {
 constexpr int most_side = 8192;
 
 /// Whether two panels have the same pixels, of the same size to a twentieth.
-bool are_alike(const Panel& a, const Panel& b)
+bool have_same_pixels(const Panel& a, const Panel& b)
 {
     return a.film.width == b.film.width && a.film.height == b.film.height &&
            std::fabs(a.film.pixel_pitch.x / b.film.pixel_pitch.x - 1) < 0.05;
@@ -24,7 +24,7 @@ const RecommendedQuilt* recommended_for(const Panel& panel)
                               [&](const RecommendedQuilt& one) { return one.panel == panel.name; });
     if (found == all.end())
         found = std::find_if(all.begin(), all.end(), [&](const RecommendedQuilt& one) {
-            return are_alike(panel, *panel_named(one.panel));
+            return have_same_pixels(panel, *panel_named(one.panel));
         });
     return found == all.end() ? nullptr : &*found;
 }

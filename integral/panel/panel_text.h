@@ -16,8 +16,7 @@ namespace integral {
 std::string panels_text();
 Json panels_json();
 
-/// Lines of an INI file with which povray-integral renders for a panel: its image, or a quilt. With
-/// other numbers of pixels the quilt shows the same views.
+/// Lines of an INI file with which povray-integral renders for a panel: its image, or a quilt.
 std::string render_settings(const Panel& panel, const std::optional<PanelQuilt>& quilt);
 
 } // namespace integral

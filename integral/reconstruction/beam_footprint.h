@@ -76,12 +76,13 @@ public:
     };
     /// The axis across (0) or along (1) the lattice.
     const Axis& axis(int which) const { return axes_[which]; }
-    /// Depth scale (per mm): the rays of the nearest beams diverge by a footprint's width over
-    /// 1/divergence().
+    /// Divergence of the rays of the nearest beams, per mm, as a fraction of the footprint's width.
     float divergence() const { return divergence_; }
-    /// How fast the beam widens, per mm of distance from the sheet, as a fraction of the lens's
-    /// width; 0 for a quilt's pixels, whose beams hold the rays of one eye.
+    /// Widening of the beam per mm of distance from the sheet, as a fraction of the lens's width; 0
+    /// for a quilt's pixels, whose beams hold the rays of one eye.
     float widening() const { return widening_; }
+    /// Depths of surfaces are within +-furthest_depth(), mm (BeamSamples).
+    float furthest_depth() const { return furthest_depth_; }
     /// lean() times a place (slope) across the lines is subtracted from the one along the lines.
     float lean() const { return lean_; }
     /// The largest slope difference between the beam's rays and the central one, along both axes.
@@ -96,6 +97,7 @@ public:
 private:
     std::array<Axis, 2> axes_; ///< across and along the lattice
     float lean_ = 0, divergence_ = 0, widening_ = 0;
+    float furthest_depth_ = furthest_depth_of_frames;
 };
 
 /// Finds the pixels whose samples a pixel uses: the pixel itself, and pixels of nearly the same

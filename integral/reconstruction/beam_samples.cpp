@@ -42,14 +42,17 @@ static double most_tilt_of(const IntegralCamera& camera)
 }
 
 BeamSamples::BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> memory)
-    : BeamSamples(camera.film.width, camera.film.height, most_tilt_of(camera), std::move(memory))
+    : BeamSamples(camera.film.width, camera.film.height, most_tilt_of(camera),
+                  furthest_depth_of_frames, std::move(memory))
 {
 }
 
-BeamSamples::BeamSamples(int width, int height, double most_tilt, std::shared_ptr<void> memory)
+BeamSamples::BeamSamples(int width, int height, double most_tilt, float furthest_depth,
+                         std::shared_ptr<void> memory)
     : width_(width),
       size_(std::ptrdiff_t(width) * height),
       tilt_unit_(float(most_tilt) / most_short),
+      furthest_depth_(furthest_depth),
       memory_(memory ? std::move(memory)
                      : zeroed_memory((bytes_of_pixels + bytes_of_lenders) * size_)),
       pixels_(static_cast<Pixel*>(memory_.get())),
@@ -62,7 +65,7 @@ BeamSamples::Sample BeamSamples::stored(const Seen& seen) const
     Sample sample;
     sample.line = seen.line;
     // fmin turns NaN into the furthest depth.
-    sample.depth = std::fmax(-furthest_depth, std::fmin(float(seen.depth), furthest_depth));
+    sample.depth = std::fmax(-furthest_depth_, std::fmin(float(seen.depth), furthest_depth_));
     for (int k = 0; k < 2; ++k)
         sample.tilt[k] = rounded(seen.tilt[k] / tilt_unit_);
     sample.light = StoredLight(seen.light);

@@ -25,6 +25,9 @@ struct LightFieldRay {
 };
 LightFieldRay light_field_ray(const Lattice& lattice, const BeamRay& ray);
 
+/// BeamSamples::furthest_depth of frames, mm.
+constexpr float furthest_depth_of_frames = 1e5f;
+
 /// Stored samples, up to most_stored per pixel. Different threads may store samples of different
 /// pixels at the same time.
 class BeamSamples {
@@ -33,18 +36,20 @@ public:
 
     /// One sample. WeightedSamples reads it as two times four floats.
     struct Sample {
-        float depth = 0; ///< mm from the sheet away from the viewer; within +-furthest_depth
+        float depth = 0; ///< mm from the sheet away from the viewer; within +-furthest_depth()
         LightFieldRay line;
         std::array<std::int16_t, 2> tilt{}; ///< Seen::tilt, divided by tilt_unit()
         StoredLight light;
     };
-    static constexpr float furthest_depth = 1e5f;
+    /// Surfaces that are further from the sheet count as being there, mm.
+    float furthest_depth() const { return furthest_depth_; }
 
-    /// The unit of a camera's Sample::tilt.
+    /// The unit of Sample::tilt.
     float tilt_unit() const { return tilt_unit_; }
 
     struct Pixel {
-        LightFieldRay centre; ///< the ray from the pixel's centre through the lens's pole
+        LightFieldRay centre; ///< the ray from the pixel's centre through the lens's pole or to the
+                              ///< view's eye
         Sample first;
         const Sample* more = nullptr; ///< the samples after the first
         std::uint16_t number = 0;     ///< 0: the pixel is empty
@@ -56,8 +61,9 @@ public:
     /// object allocates its own.
     explicit BeamSamples(const IntegralCamera& camera, std::shared_ptr<void> memory = nullptr);
     /// The same for a picture of width x height pixels. `most_tilt`: the largest Seen::tilt that
-    /// can be stored.
-    BeamSamples(int width, int height, double most_tilt, std::shared_ptr<void> memory = nullptr);
+    /// can be stored. `furthest_depth`: mm.
+    BeamSamples(int width, int height, double most_tilt, float furthest_depth,
+                std::shared_ptr<void> memory = nullptr);
 
     /// A sample before it is stored.
     struct Seen {
@@ -140,7 +146,7 @@ private:
 
     int width_;
     std::ptrdiff_t size_; ///< number of the frame's pixels
-    float tilt_unit_;
+    float tilt_unit_, furthest_depth_;
     std::shared_ptr<void> memory_;
     Pixel* pixels_;
     std::uint32_t* lenders_; ///< lender_behind of each pixel's lens, or no_lens

@@ -21,8 +21,9 @@ public:
     /// `depths`: sums over the samples that met a layer, with their depths (mm) as values and their
     /// distances from the central ray (mm) as places. `reach`: half the footprint's width along
     /// both axes at the samples' mean depth, mm.
-    LayerPlane(const LinearSums<float>& depths, const std::array<float, 2>& reach)
-        : depth_(fitted_to(depths, reach))
+    /// `furthest`: the largest depth on either side of the sheet, mm.
+    LayerPlane(const LinearSums<float>& depths, const std::array<float, 2>& reach, float furthest)
+        : depth_(fitted_to(depths, reach)), furthest_(furthest)
     {
     }
 
@@ -35,14 +36,14 @@ public:
 
     /// Where rays from the viewer's side cross the plane.
     template <class Floats> struct Crossing {
-        Floats depth;   ///< mm, at most 1e5 before or behind the sheet
+        Floats depth;   ///< mm, within the furthest depth
         Floats towards; ///< above 0 if the ray reaches the plane from the viewer's side
     };
     /// `lines`: the rays' places at depth 0 (x, y: mm) and slopes (x, y), minus the central ray's.
     template <class Floats> INTEGRAL_INLINE Crossing<Floats> crossing(const Eight (&lines)[4]) const
     {
         const Floats by_x = broadcast<Floats>(depth_.by_x), by_y = broadcast<Floats>(depth_.by_y),
-                     little = broadcast<Floats>(1e-3f), far = broadcast<Floats>(1e5f);
+                     little = broadcast<Floats>(1e-3f), far = broadcast<Floats>(furthest_);
         const Floats towards = broadcast<Floats>(1) - by_x * load<Floats>(lines[2]) -
                                by_y * load<Floats>(lines[3]);
         const Floats depth = (broadcast<Floats>(depth_.at) + by_x * load<Floats>(lines[0]) +
@@ -53,6 +54,7 @@ public:
 
 private:
     LinearFit depth_; ///< mm, by the distance from the beam's central ray
+    float furthest_ = 0;
 };
 
 } // namespace integral

@@ -272,7 +272,7 @@ void Reconstruction::gather_of_views(int x, int y, Scratch& scratch) const
     for (int k = 0; k + 1 < own.number; ++k)
         depths.push_back(own.more[k].depth);
     for (float& depth : depths)
-        depth = std::clamp(depth, -BeamSamples::furthest_depth, BeamSamples::furthest_depth);
+        depth = std::clamp(depth, -samples_.furthest_depth(), samples_.furthest_depth());
     std::sort(depths.begin(), depths.end());
     WeightedSamples& weighed = scratch.layers.samples();
     weighed.begin(views_->footprint(), own.centre, samples_);
@@ -294,7 +294,7 @@ void Reconstruction::gather(int x, int y, Scratch& scratch) const
     for (int k = 0; k + 1 < own.number; ++k)
         depths = {std::min(depths[0], own.more[k].depth), std::max(depths[1], own.more[k].depth)};
     for (float& depth : depths)
-        depth = std::clamp(depth, -BeamSamples::furthest_depth, BeamSamples::furthest_depth);
+        depth = std::clamp(depth, -samples_.furthest_depth(), samples_.furthest_depth());
     const BeamFootprint patch(*camera_, centre, cut ? cut->size : Vec2{1, 1},
                               std::max(-depths[0], depths[1]));
     WeightedSamples& weighed = scratch.layers.samples();

@@ -182,7 +182,7 @@ private:
 
     const LightFieldImage& first_;
     const BeamSamples& samples_;
-    /// Of a frame, camera_ and lending_ are set; of a quilt, views_ is.
+    /// camera_ and lending_ are set for a frame, views_ for a quilt.
     const IntegralCamera* camera_ = nullptr;
     std::optional<ReuseNeighbourhood> lending_;
     std::optional<ViewReuse> views_;

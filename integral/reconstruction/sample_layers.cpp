@@ -46,7 +46,7 @@ template <class Floats> INTEGRAL_INLINE Floats SampleLayers::scaled(Floats depth
 {
     const Floats one = broadcast<Floats>(1), none = broadcast<Floats>(0),
                  value = broadcast<Floats>(2.2f) *
-                         logarithm(one + abs(depth) * broadcast<Floats>(steepness_));
+                         logarithm(one + abs(depth) * broadcast<Floats>(divergence_));
     return select(depth < none, none - value, value);
 }
 
@@ -144,7 +144,8 @@ template <class Floats> INTEGRAL_INLINE void SampleLayers::place_layers()
         layer.weight = all.weight;
         layer.depth = all.value / all.weight;
         layer.plane = LayerPlane(
-            all, {patch.axis(0).reach(layer.depth), patch.axis(1).reach(layer.depth)});
+            all, {patch.axis(0).reach(layer.depth), patch.axis(1).reach(layer.depth)},
+            patch.furthest_depth());
     }
 }
 
@@ -393,7 +394,7 @@ std::optional<SampleLayers::Light> SampleLayers::light()
     samples_.weigh();
     if (!(samples_.weight() > 0))
         return {};
-    steepness_ = samples_.patch().divergence();
+    divergence_ = samples_.patch().divergence();
     covers_.clear();
     FourFloats light;
 #ifdef INTEGRAL_HAS_AVX2

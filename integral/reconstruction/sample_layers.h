@@ -82,7 +82,7 @@ private:
     FourFloats light_with_avx2();
 
     WeightedSamples samples_;
-    float steepness_ = 0;
+    float divergence_ = 0;
     std::vector<Layer> layers_;
     /// Data of eight samples that ended in the beam: their steps, not rounded; their distances from
     /// the beam's central ray along both axes, mm (`ways`); and, for both axes, their

@@ -69,7 +69,7 @@ constexpr float part_of_few = 0.15f, part_of_many = 0.3f;
 constexpr float linear_noise_in_rest = 0.5f, linear_noise_in_smooth_lines = 0.6f,
                 linear_noise_in_smooth = 1.7f;
 
-// In the encoding of comparison, the same ratio for a smooth difference in a quilt, whose pixels
+// The same ratio in the encoding of comparison for a smooth difference in a quilt, whose pixels
 // have few samples. Tuned on POV-Ray's sample scenes.
 constexpr float noise_in_smooth_of_views = 3;
 

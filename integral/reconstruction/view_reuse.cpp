@@ -20,7 +20,7 @@ constexpr double most_views = 8, most_views_in_two_directions = 2.9, fall = 0.03
 // The gap must be wide enough for the pixels around two places to be different ones.
 constexpr double most_gap = 6;
 
-// Nearer to the eye than this fraction of its distance from the sheet, places are not found.
+// Places nearer to the eye than this fraction of its distance from the sheet are not found.
 constexpr double nearest_to_eye = 0.05;
 
 } // namespace
@@ -43,7 +43,7 @@ ViewReuse::ViewReuse(const QuiltGeometry& quilt) : quilt_(quilt)
             const Vec2 eye = double(column) * quilt.by_column + double(row) * quilt.by_row;
             const double distance = std::hypot(next.x > 0 ? eye.x / next.x : 0,
                                                next.y > 0 ? eye.y / next.y : 0);
-            if (distance > 1.0001 * most || distance < 0.5)
+            if (distance > 1.0001 * most || (column == 0 && row == 0))
                 continue;
             Step step{column, row, {eye.x / quilt.pixel.x, -eye.y / quilt.pixel.y}, 0, {}};
             step.pixels = length(step.eye);
@@ -86,7 +86,9 @@ void ViewReuse::append(const Step& step, Span across, Span down, LensIndex tile,
 ViewReuse::Span ViewReuse::pixels_around(double from, double to)
 {
     const double first = std::min(from, to), last = std::max(from, to);
-    const int low = int(first), high = int(last); // towards 0
+    constexpr double far = 1e9; // outside every picture
+    const int low = int(std::clamp(first, -far, far)),
+              high = int(std::clamp(last, -far, far)); // towards 0
     return {low - (first < low), high + (last > high)};
 }
 
@@ -118,7 +120,7 @@ void ViewReuse::find(int x, int y, LensIndex tile, const std::vector<float>& dep
         const double z = std::max<double>(depth, (nearest_to_eye - 1) * quilt_.distance);
         parts.push_back(z / (z + quilt_.distance));
     }
-    // Of depths that are near each other even in the furthest view, the ends are enough.
+    // The ends are enough of depths that are near each other even in the furthest view.
     if (parts.size() > 2 && (parts.back() - parts.front()) * most_pixels_ <= most_gap) {
         parts[1] = parts.back();
         parts.resize(2);

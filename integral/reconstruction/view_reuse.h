@@ -16,6 +16,9 @@ class ViewReuse {
 public:
     explicit ViewReuse(const QuiltGeometry& quilt);
 
+    /// Whether a quilt has enough views for reuse to pay: three at least.
+    static bool pays(const QuiltGeometry& quilt) { return quilt.tiles.count() >= 3; }
+
     /// The footprint of the quilt's pixels.
     const BeamFootprint& footprint() const { return footprint_; }
 
@@ -33,7 +36,7 @@ public:
               ReuseNeighbourhood::Scratch& scratch) const;
 
 private:
-    /// From a view to another one.
+    /// The way from a view to another one.
     struct Step {
         int columns, rows; ///< to the right and up, tiles
         Vec2 eye;          ///< from eye to eye, to the right and down, pixels at the sheet

@@ -58,6 +58,18 @@ std::optional<LensIndex> QuiltSampler::tile(int x, int y) const
     return LensIndex{column, row};
 }
 
+PixelOutcome QuiltSampler::outcome(int x, int y) const
+{
+    PixelOutcome outcome;
+    outcome.film_points = 1;
+    if (const auto own = tile(x, y)) {
+        outcome.imaged = 1;
+        outcome.lens = *own;
+    } else
+        outcome.outside_aperture = 1;
+    return outcome;
+}
+
 std::optional<BeamRay> QuiltSampler::sample(int x, int y, bool same_pattern,
                                             std::uint32_t index) const
 {

@@ -6,6 +6,7 @@
 
 #include "integral/frame/quilt_geometry.h"
 #include "integral/optics/camera.h"
+#include "integral/sampling/pixel_sampler.h"
 #include "integral/sampling/sample_points.h"
 
 #include <cstdint>
@@ -30,8 +31,8 @@ public:
 
     /// Sample `index` of the area of pixel (x, y). The first samples of a view's pixels are well
     /// distributed over the view, and so are the samples of each pixel; those of different views
-    /// are independent. `same_pattern`: use the same sample pattern in every pixel. Nothing where
-    /// ray() gives nothing.
+    /// are independent, unless `same_pattern` is set: then all pixels have one pattern. Nothing
+    /// where ray() gives nothing.
     std::optional<BeamRay> sample(int x, int y, bool same_pattern, std::uint32_t index) const;
 
     /// Ray `index` of a `set` of rays at random points of the area of pixel (x, y). The rays of a
@@ -41,6 +42,10 @@ public:
     /// Column (from the left) and row (from the bottom) of the tile that contains pixel (x, y);
     /// nothing in the parts that are left over.
     std::optional<LensIndex> tile(int x, int y) const;
+
+    /// The counts of pixel (x, y); its tile takes the place of a lens. Pixels that are left over
+    /// count as outside the aperture.
+    PixelOutcome outcome(int x, int y) const;
 
     QuiltGeometry geometry() const;
 

@@ -2,6 +2,7 @@
 #include "integral/sheet/camera_words.h"
 
 #include "integral/base/json.h"
+#include "integral/base/number_text.h"
 #include "integral/frame/names.h"
 
 #include <cmath>
@@ -68,7 +69,7 @@ std::string film_words(const Film& film)
     return words + " }";
 }
 
-std::string fit_words() { return "fit 2"; }
+std::string fit_words(double part) { return "fit " + with_digits(2 * part, 9); }
 
 std::string camera_words(const FrameMetadata& geometry)
 {

@@ -17,8 +17,9 @@ std::string sheet_words(const LensSheet& sheet);
 std::string film_words(const Film& film);
 
 /// `fit 2`, for an existing scene that is put on a sheet: nine tenths of the picture then lie
-/// within two depth budgets of the sheet, sharp or soft (depth_advice.h).
-std::string fit_words();
+/// within two depth budgets of the sheet, sharp or soft (depth_advice.h). `part`: factor of the
+/// budgets, for words that stand with another film than the one that is seen.
+std::string fit_words(double part = 1);
 
 /// sheet_words and film_words; capture_aperture if it is finite and does not just fill the lenses;
 /// viewing_distance. Leaves out a rendered frame's parallax, which belongs to its scene.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/reconstruction/beam_samples.h"
 #include "integral/reconstruction/layer_plane.h"
 
 #include <boost/test/unit_test.hpp>
@@ -21,7 +22,7 @@ BOOST_AUTO_TEST_CASE(lines_cross_the_plane_of_the_places)
         sums.add(weight, weight * float(at_centre + by_x * x + by_y * y), x, y);
     }
     BOOST_TEST(sums.value / sums.weight == at_centre, boost::test_tools::tolerance(0.01));
-    const LayerPlane plane(sums, {1, 1});
+    const LayerPlane plane(sums, {1, 1}, furthest_depth_of_frames);
 
     Eight lines[4];
     for (std::size_t i = 0; i < 8; ++i)
@@ -47,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_single_place_lies_across_the_beam)
 {
     LinearSums<float> sums;
     sums.add(0.3f, 0.3f * 40, 0.2f, -0.1f);
-    const LayerPlane plane(sums, {1, 1});
+    const LayerPlane plane(sums, {1, 1}, furthest_depth_of_frames);
     Eight lines[4]{};
     lines[0][3] = 0.9f;
     lines[2][5] = 2;

@@ -17,12 +17,15 @@ using namespace sampled_frame;
 namespace {
 
 /// A quilt of 160 x 90 pixels: 12 views of upright (or lying) lenticular lenses in 4 x 3 tiles, or
-/// 4 x 3 views of square lenses.
-QuiltSampler quilt_of(Arrangement arrangement, double slant = 0, std::uint64_t seed = 3)
+/// 4 x 3 views of square lenses. `more`: columns and rows of pixels that are left over. `zone`:
+/// width and height of the zone of the eyes, mm (nothing: the sheet's).
+QuiltSampler quilt_of(Arrangement arrangement, double slant = 0, std::uint64_t seed = 3,
+                      int more = 0, std::optional<Vec2> zone = {})
 {
     CameraParameters p = sheet(arrangement, slant);
     p.film.pixel_pitch = {0.5, 0.5};
-    return QuiltSampler(camera_of(p, 160, 90), {4, 3}, 160, 90, seed);
+    p.capture_aperture = zone;
+    return QuiltSampler(camera_of(p, 160, 90), {4, 3}, 160 + more, 90 + more, seed);
 }
 
 constexpr struct {
@@ -36,7 +39,8 @@ struct SampledQuilt {
     QuiltSampler sampler;
     QuiltGeometry geometry = sampler.geometry();
     LightFieldImage first{geometry.width, geometry.height};
-    BeamSamples samples{geometry.width, geometry.height, ViewReuse(geometry).most_tilt()};
+    BeamSamples samples{geometry.width, geometry.height, ViewReuse(geometry).most_tilt(),
+                        ViewReuse(geometry).footprint().furthest_depth()};
     Reconstruction reconstruction{geometry, first, samples, 0.0005};
 
     SampledQuilt(QuiltSampler quilt, const Scene& scene) : sampler(std::move(quilt))
@@ -92,11 +96,13 @@ struct SampledQuilt {
     }
 };
 
-double ratio_of(Arrangement arrangement, double slant, const Scene& scene)
+double ratio_of(Arrangement arrangement, double slant, const Scene& scene,
+                std::optional<Vec2> zone = {})
 {
     double before = 0, after = 0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-        const auto errors = SampledQuilt(quilt_of(arrangement, slant, seed), scene).errors(scene);
+        const auto errors = SampledQuilt(quilt_of(arrangement, slant, seed, 0, zone), scene)
+                                .errors(scene);
         before += errors[0] * errors[0];
         after += errors[1] * errors[1];
     }
@@ -124,12 +130,21 @@ BOOST_AUTO_TEST_SUITE(reconstruction_quilts)
 BOOST_AUTO_TEST_CASE(samples_are_of_their_pixel)
 {
     for (const auto& one : sheets) {
-        const QuiltSampler sampler = quilt_of(one.arrangement, one.slant);
-        for (const auto [x, y] : {std::pair(0, 0), {39, 29}, {40, 30}, {159, 89}, {77, 63}})
-            for (unsigned k = 0; k < 20; ++k) {
-                BOOST_TEST(is_of_pixel(sampler, x, y, *sampler.sample(x, y, false, k)));
-                BOOST_TEST(is_of_pixel(sampler, x, y, *sampler.reference(x, y, 1, k)));
-            }
+        for (const int more : {0, 1}) {
+            const QuiltSampler sampler = quilt_of(one.arrangement, one.slant, 3, more);
+            for (const auto [x, below] : {std::pair(0, 0), {39, 29}, {40, 30}, {159, 89}, {77, 63}})
+                for (unsigned k = 0; k < 20; ++k) {
+                    const int y = below + more;
+                    BOOST_TEST(is_of_pixel(sampler, x, y, *sampler.sample(x, y, false, k)));
+                    BOOST_TEST(is_of_pixel(sampler, x, y, *sampler.reference(x, y, 1, k)));
+                }
+        }
+        const QuiltSampler spare = quilt_of(one.arrangement, one.slant, 3, 1);
+        BOOST_TEST(!spare.sample(160, 40, false, 0));
+        BOOST_TEST(!spare.reference(20, 0, 1, 0));
+        BOOST_TEST(spare.outcome(20, 0).outside_aperture == 1);
+        BOOST_TEST(spare.outcome(45, 1).lens.i == 1);
+        BOOST_TEST(spare.outcome(45, 1).lens.j == 2);
     }
 }
 
@@ -218,6 +233,43 @@ BOOST_AUTO_TEST_CASE(fine_texture_of_quilts_becomes_clear)
         }
 }
 
+BOOST_AUTO_TEST_CASE(the_sky_of_quilts_becomes_clear)
+{
+    // Squares of directions, as of a sky that is infinitely far away. The eyes are so near each
+    // other that it moves by a pixel or a few from view to view.
+    const Scene sky = [](const BeamRay& ray) {
+        const auto square = [&](double slope) { return int(std::floor(slope / 0.008)) & 1; };
+        const Vec2 slope = (1 / ray.direction.z) * Vec2{ray.direction.x, ray.direction.y};
+        return Look{square(slope.x) == square(slope.y) ? 0.7 : 0.1, HUGE_VAL};
+    };
+    for (const auto& one : sheets) {
+        const double found = ratio_of(one.arrangement, one.slant, sky, Vec2{24, 24});
+        BOOST_TEST(found < 0.6, int(one.arrangement) << ": " << found);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(far_views_are_not_used)
+{
+    // A row of 40 views: eight on either side are used, of a place at the sheet a pixel of each.
+    CameraParameters p = sheet(Arrangement::lenticular);
+    const QuiltSampler sampler(camera_of(p, 400, 10), {40, 1}, 400, 10);
+    const ViewReuse reuse(sampler.geometry());
+    ReuseNeighbourhood::Scratch scratch;
+    reuse.find(205, 5, *sampler.tile(205, 5), {0}, scratch);
+    std::set<std::ptrdiff_t> found;
+    for (const auto& eight : scratch)
+        for (int i = 0; i < 8; ++i)
+            if (eight.which >> i & 1)
+                found.insert(eight.index + i - 5 * 400);
+    BOOST_TEST(found.size() == 16u);
+    BOOST_TEST(*found.begin() == 125);
+    BOOST_TEST(*found.rbegin() == 285);
+    // The furthest depth is like infinity: places eight views away are there to 1/100 of a pixel.
+    const QuiltGeometry geometry = sampler.geometry();
+    BOOST_TEST(8 * geometry.by_column.x / geometry.pixel.x * geometry.distance <
+               0.01 * reuse.footprint().furthest_depth());
+}
+
 BOOST_AUTO_TEST_CASE(outlines_of_quilts_stay)
 {
     // A dark edge before bright squares: an outline that lies elsewhere in each view.
@@ -235,7 +287,7 @@ BOOST_AUTO_TEST_CASE(outlines_of_quilts_stay)
 BOOST_AUTO_TEST_CASE(passes_of_quilts_reach_other_tiles)
 {
     const QuiltGeometry geometry = quilt_of(Arrangement::lenticular).geometry();
-    // Of 12 views in rows of 4, eight steps are two rows of tiles of 30 pixels.
+    // Eight steps between 12 views in rows of 4 are two rows of tiles of 30 pixels.
     BOOST_TEST(ViewReuse(geometry).rows() == 60);
     BOOST_TEST(PassRows(geometry, 16, true).estimated_from() == 60);
     BOOST_TEST(PassRows(geometry, 16, false).estimated_from() == 0);

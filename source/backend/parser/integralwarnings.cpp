@@ -40,8 +40,10 @@ void IntegralGrammar::Warn(const Camera& camera, const std::vector<double>& dist
     Warn_Of_Scale(*camera.Integral->optics);
     Warn_Of_Eye(*camera.Integral);
     if (!parser.sceneData->integral->quilt)
+    {
         Warn_Of_Film(*camera.Integral->optics);
-    Warn_Of_Draft(*camera.Integral);
+        Warn_Of_Draft(*camera.Integral);
+    }
     Warn_Of_Starts(*camera.Integral->optics);
     Warn_Of_Infinity(*camera.Integral->optics, distances);
     Warn_Of_Place(camera, distances);

@@ -39,17 +39,13 @@ std::optional<IntegralFirstSamples::Pixel> IntegralFirstSamples::Trace(int x, in
 std::optional<IntegralFirstSamples::Pixel> IntegralFirstSamples::Trace_Of_View(int x, int y)
 {
     const integral::QuiltSampler& quilt = *tracer.View().quilt;
-    const auto tile = quilt.tile(x, y);
-    integral::PixelOutcome outcome;
-    outcome.film_points = 1;
-    outcome.imaged = tile ? 1 : 0;
-    outcome.outside_aperture = tile ? 0 : 1; // unused: a quilt's pixels outside its views
+    const integral::PixelOutcome outcome = quilt.outcome(x, y);
     tracer.Count(outcome, outcome.imaged);
-    if (!tile)
+    if (!outcome.imaged)
         return std::nullopt;
     const integral::BeamRay ray = *quilt.sample(x, y, same_pattern, 0);
     tracer.Begin_Sample(x, y, 0);
-    return Pixel{*tile, *quilt.ray({x + 0.5, y + 0.5}), {tracer.Trace(ray), ray}};
+    return Pixel{outcome.lens, *quilt.ray({x + 0.5, y + 0.5}), {tracer.Trace(ray), ray}};
 }
 
 void IntegralBeam::Begin(int at_x, int at_y, bool same_pattern,

@@ -59,7 +59,8 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
       width(camera.film.width),
       height(camera.film.height),
       side(side),
-      reconstructs(reconstructs && (quilt || integral::Reconstruction::possible(camera))),
+      reconstructs(reconstructs && (quilt ? integral::ViewReuse::pays(*quilt)
+                                          : integral::Reconstruction::possible(camera))),
       pass_rows(Pass_Rows(camera, quilt, side, this->reconstructs)),
       parts(Parts(this->reconstructs)),
       memory(Memory(camera.film, most_memory)),
@@ -71,8 +72,9 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
         return;
     if (quilt)
     {
-        lent.reset(new integral::BeamSamples(width, height, integral::ViewReuse(*quilt).most_tilt(),
-                                             Part(lent_part)));
+        const integral::ViewReuse reuse(*quilt);
+        lent.reset(new integral::BeamSamples(width, height, reuse.most_tilt(),
+                                             reuse.footprint().furthest_depth(), Part(lent_part)));
         reconstructor.reset(new integral::Reconstruction(*quilt, first, *lent, least_error,
                                                          Part(reconstruction_part)));
         filter.reset(new integral::NoiseFilter(first));

@@ -180,16 +180,10 @@ IntegralPixel IntegralTracer::Trace_One_Ray(DBL x, DBL y, bool pretrace)
 
 IntegralPixel IntegralTracer::Trace_Quilt_Pixel(DBL x, DBL y, bool pretrace)
 {
-    integral::PixelOutcome outcome;
+    const integral::PixelOutcome outcome = view->quilt->outcome(int(x), int(y));
     std::optional<IntegralHit> hit;
-    outcome.film_points = 1;
     if (const auto ray = view->quilt->ray({x + 0.5, y + 0.5}))
-    {
-        outcome.imaged = 1;
         hit = Trace(*ray, pretrace);
-    }
-    else
-        outcome.outside_aperture = 1; // unused: a quilt's pixels outside its views
     if (!pretrace)
         Count(outcome, outcome.imaged);
     return Pixel_Of(hit, outcome.lens);
