@@ -6,7 +6,7 @@
 namespace integral {
 namespace {
 
-/// What the lines of sight depend on.
+/// The fields that determine the lines of sight.
 Json rays_of(const FrameMetadata& metadata)
 {
     const RenderRecord render = metadata.render.value_or(RenderRecord());

@@ -75,7 +75,7 @@ public:
     /// The panel's image of a test card. Throws RequestError.
     Frame card(PanelCard card);
 
-    /// The pictures of which image_of, or card, makes an image. Throw the same.
+    /// Returns the pictures that image_of, or card, interlaces. Throws as these do.
     PanelPictures pictures_of(const std::vector<std::string>& group);
     PanelPictures pictures_of(PanelCard card);
 

@@ -248,20 +248,8 @@ Reconstruction::MeanNoise Reconstruction::mean_noise(int x, int y, float prior,
     return result;
 }
 
-/// Adds the samples that were found for the pixel with the index `own`, apart from its own.
-void Reconstruction::add_samples(const ReuseNeighbourhood::Scratch& found, std::ptrdiff_t own,
-                                 WeightedSamples& weighed) const
-{
-    for (const ReuseNeighbourhood::Found& eight : found) {
-        unsigned which = samples_.lending(eight.index, eight.which, eight.lens);
-        if (const std::ptrdiff_t own_place = own - eight.index; own_place >= 0 && own_place < 8)
-            which &= ~(1u << own_place);
-        weighed.add(samples_.pixels_from(eight.index), which, *eight.parts);
-    }
-}
-
-/// gather() for a quilt.
-void Reconstruction::gather_of_views(int x, int y, Scratch& scratch) const
+/// Begins the samples of pixel (x, y) of a quilt, and finds the pixels whose samples it may use.
+void Reconstruction::find_in_quilt(int x, int y, Scratch& scratch) const
 {
     const BeamSamples::Pixel& own = samples_.pixel(x, y);
     const auto tile = *first_.lens(x, y);
@@ -274,19 +262,13 @@ void Reconstruction::gather_of_views(int x, int y, Scratch& scratch) const
     for (float& depth : depths)
         depth = std::clamp(depth, -samples_.furthest_depth(), samples_.furthest_depth());
     std::sort(depths.begin(), depths.end());
-    WeightedSamples& weighed = scratch.layers.samples();
-    weighed.begin(views_->footprint(), own.centre, samples_);
-    if (samples_.is_reusable(index(x, y)))
-        weighed.add_own(own);
+    scratch.layers.samples().begin(views_->footprint(), own.centre, samples_);
     views_->find(x, y, {tile[0], tile[1]}, depths, scratch.lending);
-    add_samples(scratch.lending, std::ptrdiff_t(index(x, y)), weighed);
 }
 
-/// Gathers in scratch.layers all samples that a pixel may use, its own and other pixels'.
-void Reconstruction::gather(int x, int y, Scratch& scratch) const
+/// The same for a pixel of a frame.
+void Reconstruction::find_in_frame(int x, int y, Scratch& scratch) const
 {
-    if (views_)
-        return gather_of_views(x, y, scratch);
     const BeamSamples::Pixel& own = samples_.pixel(x, y);
     const auto cut = first_.lens_around(x, y) ? std::nullopt : cut_pixel(*camera_, first_, x, y);
     const LightFieldRay& centre = cut ? cut->centre : own.centre;
@@ -297,13 +279,28 @@ void Reconstruction::gather(int x, int y, Scratch& scratch) const
         depth = std::clamp(depth, -samples_.furthest_depth(), samples_.furthest_depth());
     const BeamFootprint patch(*camera_, centre, cut ? cut->size : Vec2{1, 1},
                               std::max(-depths[0], depths[1]));
+    scratch.layers.samples().begin(patch, centre, samples_);
+    lending_->find(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending);
+}
+
+/// Gathers in scratch.layers all samples that a pixel may use, its own and other pixels'.
+void Reconstruction::gather(int x, int y, Scratch& scratch) const
+{
+    if (views_)
+        find_in_quilt(x, y, scratch);
+    else
+        find_in_frame(x, y, scratch);
     WeightedSamples& weighed = scratch.layers.samples();
     const std::ptrdiff_t own_index = index(x, y);
-    weighed.begin(patch, centre, samples_);
     if (samples_.is_reusable(own_index))
-        weighed.add_own(own);
-    lending_->find(x, y, *first_.lens(x, y), patch, depths[0], depths[1], scratch.lending);
-    add_samples(scratch.lending, own_index, weighed);
+        weighed.add_own(samples_.pixel(own_index));
+    for (const ReuseNeighbourhood::Found& found : scratch.lending) {
+        unsigned which = samples_.lending(found.index, found.which, found.lens);
+        if (const std::ptrdiff_t own_place = own_index - found.index;
+            own_place >= 0 && own_place < 8)
+            which &= ~(1u << own_place);
+        weighed.add(samples_.pixels_from(found.index), which, *found.parts);
+    }
 }
 
 void Reconstruction::estimate(const PictureBlock& pixels, const PictureBlock& block,

@@ -26,7 +26,6 @@
 #include "integral/reconstruction/pass_schedule.h"
 #include "integral/reconstruction/refinement.h"
 #include "integral/reconstruction/view_reuse.h"
-#include "integral/reconstruction/weighted_samples.h"
 
 #include <cstdint>
 #include <cstring>
@@ -176,9 +175,8 @@ private:
 
     Reconstruction(int width, int height, const LightFieldImage& first, const BeamSamples& samples,
                    double least_error, bool is_lenticular, std::shared_ptr<void> memory);
-    void add_samples(const ReuseNeighbourhood::Scratch& found, std::ptrdiff_t own,
-                     WeightedSamples& weighed) const;
-    void gather_of_views(int x, int y, Scratch& scratch) const;
+    void find_in_quilt(int x, int y, Scratch& scratch) const;
+    void find_in_frame(int x, int y, Scratch& scratch) const;
 
     const LightFieldImage& first_;
     const BeamSamples& samples_;

@@ -29,10 +29,10 @@ public:
     /// and the rows at the top that are left over if the grid does not divide the picture's size.
     std::optional<BeamRay> ray(Vec2 pixel) const;
 
-    /// Sample `index` of the area of pixel (x, y). The first samples of a view's pixels are well
-    /// distributed over the view, and so are the samples of each pixel; those of different views
-    /// are independent, unless `same_pattern` is set: then all pixels have one pattern. Nothing
-    /// where ray() gives nothing.
+    /// Sample `index` of the area of pixel (x, y); nothing where ray() gives nothing. The first
+    /// samples of a view's pixels are well distributed over the view. The samples of one pixel are
+    /// well distributed over the pixel. Samples of different views are independent. `same_pattern`:
+    /// all pixels have the same pattern instead.
     std::optional<BeamRay> sample(int x, int y, bool same_pattern, std::uint32_t index) const;
 
     /// Ray `index` of a `set` of rays at random points of the area of pixel (x, y). The rays of a

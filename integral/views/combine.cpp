@@ -193,7 +193,7 @@ private:
             shares_[k] += row[k];
     }
 
-    bool keeps_depths_; ///< merged depths replace those of the first frame, pixel by pixel
+    bool keeps_depths_; ///< whether the first frame's depths become the merged ones, pixel by pixel
     std::vector<std::unique_ptr<CombinedFrame>> frames_;
     CombinedShares shares_; ///< in pixels
     std::mutex mutex_;

@@ -84,22 +84,22 @@ void IntegralAudit::Note(const POVRect& rect, const std::vector<Colour>& colours
 void IntegralAudit::Note(const POVRect& rect, const std::vector<Colour>& colours)
 {
     std::vector<float> squared_errors;
+    if (quilt)
+    {
+        for (int y = rect.top; y <= int(rect.bottom); y++)
+            for (int x = rect.left; x <= int(rect.right); x++)
+                squared_errors.push_back(quilt->tile(x, y) ? unknown : unlit);
+        return Note(rect, colours, squared_errors);
+    }
     integral::RayRun<integral::Vec2> film_points;
     integral::RayRun<integral::MappedPoint> mapped;
     for (int y = rect.top; y <= int(rect.bottom); y++)
         for (int x = rect.left; x <= int(rect.right); x += integral::run_length)
         {
-            const int last = std::min(x + integral::run_length - 1, int(rect.right));
-            if (quilt)
-            {
-                for (int i = x; i <= last; i++)
-                    squared_errors.push_back(quilt->tile(i, y) ? unknown : unlit);
-                continue;
-            }
             for (int k = 0; k < integral::run_length; k++)
                 film_points[k] = integral::film_from_pixel(optics->film, {x + k + 0.5, y + 0.5});
             optics->optics.map_run(integral::run_length, film_points, optics->mapping, mapped);
-            for (int k = 0; x + k <= last; k++)
+            for (int k = 0; k < integral::run_length && x + k <= int(rect.right); k++)
                 squared_errors.push_back(mapped[k].ray ? unknown : unlit);
         }
     Note(rect, colours, squared_errors);

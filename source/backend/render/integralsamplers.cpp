@@ -55,9 +55,8 @@ void IntegralBeam::Begin(int at_x, int at_y, bool same_pattern,
     x = at_x;
     y = at_y;
     light = IntegralLight();
-    of_view = view.quilt != nullptr;
     of_same_pattern = same_pattern;
-    if (of_view)
+    if (view.quilt)
         return;
     std::optional<integral::LensIndex> around;
     if (view.optics->film.subpixels == integral::Subpixels::none)
@@ -71,11 +70,8 @@ void IntegralBeam::Append_Rays(std::uint32_t index, int number)
 {
     const integral::PixelSampler& sampler = *tracer.View().sampler;
     rays.clear();
-    if (of_view)
-    {
-        rays.push_back({*tracer.View().quilt->sample(x, y, of_same_pattern, index)});
-        return;
-    }
+    if (const auto& quilt = tracer.View().quilt)
+        return rays.push_back({*quilt->sample(x, y, of_same_pattern, index)});
     if (beam.number != 1)
         return sampler.append_sample(beam, index, rays);
     if (index < run_begin || index >= run_end)

@@ -80,7 +80,7 @@ private:
 
     IntegralTracer& tracer;
     int x = 0, y = 0;
-    bool of_view = false, of_same_pattern = false; ///< of_view: the picture is a quilt
+    bool of_same_pattern = false; ///< of a quilt's pixel
     integral::PixelBeam beam;
     IntegralLight light;
     std::uint32_t run_begin = 0, run_end = 0; ///< the samples whose rays are in `run`

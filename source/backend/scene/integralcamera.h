@@ -145,7 +145,8 @@ struct IntegralView
     std::uint64_t seed = 0;     ///< Integral_Seed=
     pov_base::IntegralRows rows; ///< the rows that count (Integral_Rows=)
 
-    /// The lattice whose axes are those of the stored rays: a quilt's are the picture's.
+    /// The lattice in whose axes rays are stored: of a frame, the sheet's; of a quilt, an upright
+    /// one.
     const integral::Lattice& Lattice() const
     {
         return quilt ? quilt->upright() : optics->optics.lattice();
