@@ -80,6 +80,8 @@ float expected(int, int) { return 3 * sigma * sigma; }
 template <class Visit> void for_each_mixed(const LightFieldImage& frame, int x, int y, Visit visit)
 {
     const auto lens = frame.lens(x, y);
+    if (!lens)
+        return;
     for (int way = -NoiseFilter::reach_along; way <= NoiseFilter::reach_along; ++way) {
         if (way != 0 && frame.lens(x + way, y) == lens)
             visit(frame.colour(x + way, y));
