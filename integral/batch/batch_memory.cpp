@@ -90,8 +90,12 @@ double renderer_bound(const BatchStep& step, double pixels)
     double bytes = smallest_program() + std::min(24 * pixels, kept_in_memory);
     if (extension_of(step.output) == "exr")
         bytes += 9 * pixels;
-    if (may_antialias(step.words))
-        bytes += 16 * mebibyte + 60 * pixels;
+    if (may_antialias(step.words)) {
+        constexpr double rows_in_use = 400; // at one time, by the passes of +A
+        const double in_use = step.size.width > 0 ? std::min(pixels, rows_in_use * step.size.width)
+                                                  : pixels;
+        bytes += 26 * mebibyte + 160 * in_use;
+    }
     if (!value_of_option(step.words, "integral_depth_image", "").empty())
         bytes += 12 * pixels;
     if (!value_of_option(step.words, "integral_error_image", "").empty())

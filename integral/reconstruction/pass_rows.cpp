@@ -55,11 +55,6 @@ int PassRows::refined_from() const
     return whole_blocks(filtered_from_) + whole_blocks(reconstructed_from_ + estimated_from_);
 }
 
-int PassRows::retain_margin() const
-{
-    return reconstructs_ ? filtered_from_ + side_ + reconstructed_from_ + estimated_from_ : 0;
-}
-
 /// All rows of the blocks that contain one of `rows`.
 std::vector<bool> PassRows::of_blocks(const std::vector<bool>& rows) const
 {

@@ -36,9 +36,6 @@ public:
     /// Margin around a counting row in which pixels must be refined: whole blocks.
     int refined_from() const;
 
-    /// Margin around an unfinished row in which samples after the first must still be kept.
-    int retain_margin() const;
-
     /// All passes: first samples; refinement; if the frame is reconstructed, layers and
     /// reconstruction; and a last one, which finishes the `requested` rows. `counting`: those
     /// requested rows that must come out as in the whole frame. Blocks begin at the first row.

@@ -2,6 +2,7 @@
 #include "integral/reconstruction/pass_schedule.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace integral {
@@ -11,7 +12,8 @@ PassSchedule::PassSchedule(PictureBlock area, int side, std::vector<SchedulePass
       side_(side),
       rows_((area.bottom - area.top + side) / side),
       columns_((area.right - area.left + side) / side),
-      passes_(std::move(passes))
+      passes_(std::move(passes)),
+      finished_above_(passes_.size())
 {
     std::vector<int> delays; // of each pass behind the first pass, in rows of blocks
     for (int pass = 0; pass < int(passes_.size()); ++pass) {
@@ -19,7 +21,8 @@ PassSchedule::PassSchedule(PictureBlock area, int side, std::vector<SchedulePass
         // One row more, so that no thread has to wait for the last blocks of a row.
         delays.push_back(pass == 0 ? 0 : delays.back() + blocks_around(pass) + 1);
     }
-    for (int step = 0; step < rows_ + delays.back(); ++step)
+    ahead_ = delays.back();
+    for (int step = 0; step < rows_ + ahead_; ++step)
         for (int pass = 0; pass < int(passes_.size()); ++pass)
             if (const int row = step - delays[std::size_t(pass)]; row >= 0 && row < rows_)
                 append_row(pass, row);
@@ -57,12 +60,29 @@ std::optional<PassSchedule::Item> PassSchedule::next()
 bool PassSchedule::is_ready(const Item& item) const
 {
     if (item.pass == 0)
-        return true;
+        return first_unfinished(int(passes_.size()) - 1) >= row_of(item) - ahead_;
     const int row = row_of(item), around = blocks_around(item.pass);
     for (int k = std::max(0, row - around); k <= std::min(rows_ - 1, row + around); ++k)
         if (left_[std::size_t(item.pass - 1)][std::size_t(k)] > 0)
             return false;
     return true;
+}
+
+int PassSchedule::first_unfinished(int pass) const
+{
+    std::atomic<int>& finished_above = finished_above_[std::size_t(pass)];
+    int row = finished_above;
+    while (row < rows_ && left_[std::size_t(pass)][std::size_t(row)] == 0)
+        ++row;
+    finished_above = row;
+    return row;
+}
+
+int PassSchedule::first_needed(int pass) const
+{
+    const int row = first_unfinished(pass);
+    return row == rows_ ? std::numeric_limits<int>::max()
+                        : area_.top + row * side_ - passes_[std::size_t(pass)].reach;
 }
 
 void PassSchedule::finish(const Item& item)

@@ -33,7 +33,9 @@ struct SchedulePass {
     int reach = 0;
 };
 
-/// Hands out the blocks of all passes in a fixed order. Thread-safe.
+/// Hands out the blocks of all passes in a fixed order. Thread-safe. The first pass waits where it
+/// would be further ahead of the last pass than that order has it, so that the rows on which the
+/// passes work at one time are few, whatever the height of the picture.
 class PassSchedule {
 public:
     struct Item {
@@ -49,11 +51,16 @@ public:
     /// been given out before it.
     std::optional<Item> next();
 
-    /// Whether all prerequisites of the item are finished.
+    /// Whether all prerequisites of the item are finished. An item of the first pass also waits for
+    /// the last pass (see above).
     bool is_ready(const Item& item) const;
 
     /// Reports that the item is finished.
     void finish(const Item& item);
+
+    /// The first row of the picture that a pass still needs, for its own first unfinished block or
+    /// from the pass before, in the reach of that block. INT_MAX: the pass has finished.
+    int first_needed(int pass) const;
 
 private:
     int row_of(const Item& item) const { return (item.block.top - area_.top) / side_; }
@@ -62,6 +69,7 @@ private:
         return (passes_[std::size_t(pass)].reach + side_ - 1) / side_;
     }
     void append_row(int pass, int row);
+    int first_unfinished(int pass) const; ///< as a row of blocks
 
     PictureBlock area_;
     int side_, rows_, columns_;
@@ -69,6 +77,9 @@ private:
     std::vector<Item> items_;
     std::vector<std::vector<std::atomic<int>>> left_; ///< blocks not finished, [pass][row of
                                                       ///< blocks]
+    /// For each pass: the rows of blocks above this one are finished. Set by first_unfinished.
+    mutable std::vector<std::atomic<int>> finished_above_;
+    int ahead_ = 0; ///< rows of blocks by which the order has the first pass ahead of the last
     std::atomic<std::size_t> given_{0};
 };
 

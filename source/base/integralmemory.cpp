@@ -4,15 +4,12 @@
 #include "configbase.h"
 #include "base/types.h"
 #include "base/integralmemory.h"
-#include "base/platformbase.h"
 #include "base/pov_err.h"
-#include "base/stringutilities.h"
 
 #include <cerrno>
-#include <cstdlib>
+#include <cstdint>
 #include <cstring>
 #include <string>
-#include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -22,71 +19,36 @@
 namespace pov_base
 {
 
-namespace
+// Large pages, where the system has them, save work of the kernel. In a small block they would
+// waste memory.
+static constexpr std::size_t large_page = std::size_t(2) << 20, least_bytes = 32 * large_page;
+
+IntegralMemory::IntegralMemory(std::size_t bytes) : size(bytes)
 {
-
-constexpr std::size_t most_used = std::size_t(32) << 20;
-
-[[noreturn]] void No_Room(std::size_t bytes, int reason)
-{
-    throw POV_EXCEPTION(kOutOfMemoryErr,
-                        "No room for " + std::to_string(bytes >> 20) +
-                            " MB of anti-aliasing's samples: " + std::strerror(reason));
-}
-
-int Nameless_File(std::size_t bytes)
-{
-    std::string name = UCS2toASCIIString(POV_PLATFORM_BASE.GetTemporaryPath()) + "povXXXXXX";
-    const int file = mkstemp(&name[0]);
-    if (file < 0)
-        No_Room(bytes, errno);
-    unlink(name.c_str());
-    if (ftruncate(file, off_t(bytes)) == 0)
-        return file;
-    const int reason = errno;
-    close(file);
-    No_Room(bytes, reason);
-}
-
-}
-
-IntegralMemory::IntegralMemory(std::size_t bytes, bool in_file)
-    : size(bytes), file(in_file ? Nameless_File(bytes) : -1)
-{
-    const int flags = in_file ? MAP_SHARED : MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE;
-    void *const start = mmap(NULL, size, PROT_READ | PROT_WRITE, flags, file, 0);
+    void *const start = mmap(NULL, size, PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (start == MAP_FAILED)
-    {
-        const int reason = errno;
-        if (file >= 0)
-            close(file);
-        No_Room(bytes, reason);
-    }
+        throw POV_EXCEPTION(kOutOfMemoryErr, "No " + std::to_string(bytes >> 20) +
+                                                 " MB of addresses for anti-aliasing's samples: " +
+                                                 std::strerror(errno));
     data = static_cast<char *>(start);
+    if (size >= least_bytes)
+        madvise(data, size, MADV_HUGEPAGE);
 }
 
-IntegralMemory::~IntegralMemory()
-{
-    munmap(data, size);
-    if (file >= 0)
-        close(file);
-}
+IntegralMemory::~IntegralMemory() { munmap(data, size); }
 
-void IntegralMemory::Reserve(std::size_t begin, std::size_t end)
+std::size_t IntegralMemory::Release(std::size_t begin, std::size_t end)
 {
-    if (file < 0)
-        return;
-    if (const int reason = posix_fallocate(file, off_t(begin), off_t(end - begin)))
-        No_Room(end - begin, reason);
-}
-
-void IntegralMemory::Used(std::size_t bytes)
-{
-    if (file < 0)
-        return;
-    const std::size_t before = used.fetch_add(bytes);
-    if (before / most_used != (before + bytes) / most_used)
-        madvise(data, size, MADV_DONTNEED); // the data stay in the file
+    const std::uintptr_t page = size >= least_bytes ? large_page
+                                                    : std::uintptr_t(sysconf(_SC_PAGESIZE)),
+                         start = reinterpret_cast<std::uintptr_t>(data),
+                         first = (start + begin + page - 1) / page * page,
+                         last = (start + end) / page * page;
+    if (first >= last)
+        return begin;
+    madvise(reinterpret_cast<void *>(first), last - first, MADV_DONTNEED);
+    return last - start;
 }
 
 }

@@ -290,8 +290,7 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
     result.reconstruct = Read_Reconstruction(word(kIntegralAttrib_Reconstruction));
     result.block_side = integral::block_side_of(
         options.TryGetInt(kPOVAttrib_RenderBlockSize, result.block_side));
-    if (const int megabytes = options.TryGetInt(kPOVAttrib_MaxImageBufferMem, 128); megabytes > 0)
-        result.most_memory = std::size_t(megabytes) << 20;
+    result.displayed = options.TryGetBool(kPOVAttrib_Display, result.displayed);
     result.continued = options.Exist(kPOVAttrib_PixelSkipList) ||
                        options.TryGetInt(kPOVAttrib_PixelId, 0) > 0;
     result.method = options.TryGetInt(kPOVAttrib_SamplingMethod, 1);

@@ -72,8 +72,7 @@ struct IntegralRenderOptions
     bool reconstruct = true;                 ///< Integral_Reconstruction=
     double threshold = 0.3;                  ///< +A's threshold
     int block_side = 32;                     ///< width and height of a block, pixels
-    std::size_t most_memory = std::numeric_limits<std::size_t>::max(); ///< +MI: limit for an image
-                                                                       ///< in main memory, bytes
+    bool displayed = true;                   ///< +D: unfinished pixels are shown
     integral::OutputCurve output; ///< from the renderer's values to the picture file's
 };
 

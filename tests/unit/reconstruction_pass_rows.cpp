@@ -59,7 +59,6 @@ BOOST_AUTO_TEST_CASE(passes_reach_as_far_as_is_told)
                     needs += passes[pass].reach;
                     BOOST_TEST(top - range_of(passes[pass - 1].rows).first >= needs);
                 }
-                BOOST_TEST(rows.retain_margin() + rows.refine_margin() >= needs);
             }
 }
 

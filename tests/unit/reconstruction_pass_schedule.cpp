@@ -157,4 +157,50 @@ BOOST_AUTO_TEST_CASE(the_first_rows_are_finished_early)
     BOOST_TEST(before <= 7 * ((width + side - 1) / side));
 }
 
+// A block of the last pass that takes long holds the first pass back, so that the rows in use stay
+// few.
+BOOST_AUTO_TEST_CASE(the_first_pass_waits_for_the_last)
+{
+    Record record(std::vector<SchedulePass>(4, {rows(0, height - 1), 4}));
+    std::optional<PassSchedule::Item> held; // the first block of the last pass
+    int lowest = 0;                         // row in which the first pass works
+    while (const auto item = record.schedule.next()) {
+        if (!record.schedule.is_ready(*item)) {
+            BOOST_TEST_REQUIRE(item->pass == 0);
+            break;
+        }
+        if (item->pass == 0)
+            lowest = item->block.bottom;
+        if (item->pass == 3 && !held)
+            held = *item;
+        else
+            record.schedule.finish(*item);
+    }
+    BOOST_TEST_REQUIRE(held.has_value());
+    BOOST_TEST(lowest < held->block.top + 8 * side);
+    BOOST_TEST(lowest < top + height - 1);
+}
+
+BOOST_AUTO_TEST_CASE(rows_are_needed_until_their_passes_have_finished)
+{
+    Record record(passes());
+    std::vector<int> before(4, 0);
+    int left_behind = 0;
+    while (const auto item = record.schedule.next()) {
+        for (int pass = 0; pass < 4; ++pass) {
+            const int needed = record.schedule.first_needed(pass);
+            BOOST_TEST_REQUIRE(needed >= before[std::size_t(pass)]);
+            before[std::size_t(pass)] = needed;
+            const int reach = passes()[std::size_t(pass)].reach;
+            if (item->pass == pass)
+                BOOST_TEST_REQUIRE(needed <= item->block.top - reach);
+            left_behind += needed > top;
+        }
+        record.schedule.finish(*item);
+    }
+    BOOST_TEST(left_behind > 0);
+    for (int pass = 0; pass < 4; ++pass)
+        BOOST_TEST(record.schedule.first_needed(pass) > top + height);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

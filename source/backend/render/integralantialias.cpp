@@ -66,7 +66,7 @@ public:
             }
             Work(item->pass, item->block);
             schedule.finish(*item);
-            sampling.Done(item->pass, item->block);
+            sampling.Release();
             thread.AfterTile();
             cooperate();
         }
@@ -96,11 +96,14 @@ private:
             Sample(block);
         else
             refinement.Run(block);
-        Take(block);
         const float share = pass == IntegralSampling::sampling ? IntegralSampling::sampling_share
                                                                : IntegralSampling::refinement_share;
-        if (sampling.Shows(block))
-            view.CompletedRectangle(To_Rect(block), 0, pixels, 1, false, share);
+        if (!sampling.Reports(block))
+            return;
+        if (!sampling.Is_Displayed())
+            return view.CompletedRectangle(To_Rect(block), 0, share);
+        Take(block);
+        view.CompletedRectangle(To_Rect(block), 0, pixels, 1, false, share);
     }
 
     /// Takes the first samples of a block.

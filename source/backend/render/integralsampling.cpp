@@ -53,17 +53,19 @@ static integral::PassRows Pass_Rows(const integral::IntegralCamera& camera,
 
 IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
                                    const std::optional<integral::QuiltGeometry>& quilt,
-                                   const pov_base::IntegralRows& rows, int side,
-                                   std::size_t most_memory, bool reconstructs, double least_error)
+                                   const pov_base::IntegralRows& rows, int side, bool reconstructs,
+                                   double least_error, bool displayed)
     : rows(rows),
       width(camera.film.width),
       height(camera.film.height),
       side(side),
       reconstructs(reconstructs && (quilt ? integral::ViewReuse::pays(*quilt)
                                           : integral::Reconstruction::possible(camera))),
+      displayed(displayed),
       pass_rows(Pass_Rows(camera, quilt, side, this->reconstructs)),
       parts(Parts(this->reconstructs)),
-      memory(Memory(camera.film, most_memory)),
+      memory(std::make_shared<pov_base::IntegralMemory>(Bytes_A_Pixel() * std::size_t(width) *
+                                                        height)),
       first(quilt ? integral::LightFieldImage(width, height, Part(first_part))
                   : integral::LightFieldImage(camera, Part(first_part))),
       colours(static_cast<Colour *>(Part(colours_part).get()))
@@ -91,47 +93,37 @@ std::size_t IntegralSampling::Bytes_A_Pixel() const
     return std::accumulate(parts.begin(), parts.end(), std::size_t(0));
 }
 
-std::shared_ptr<pov_base::IntegralMemory> IntegralSampling::Memory(const integral::Film& film,
-                                                                   std::size_t most) const
+/// The first byte of a part of the memory.
+std::size_t IntegralSampling::Begin_Of(std::size_t part) const
 {
-    const long long around = side + pass_rows.refine_margin() + pass_rows.retain_margin();
-    const std::size_t pixels = std::size_t(width) * height,
-                      above = width * std::size_t(std::max(0LL, rows.first - around)),
-                      below = width *
-                              std::size_t(std::min<long long>(height, rows.last + around + 1));
-    const bool in_file = Bytes_A_Pixel() * (below - above) > most;
-    auto memory = std::make_shared<pov_base::IntegralMemory>(Bytes_A_Pixel() * pixels, in_file);
-    std::size_t begin = 0;
-    for (const std::size_t bytes : parts)
-    {
-        memory->Reserve(begin * pixels + bytes * above, begin * pixels + bytes * below);
-        begin += bytes;
-    }
-    return memory;
+    return std::accumulate(parts.begin(), parts.begin() + part, std::size_t(0)) * width * height;
 }
 
 std::shared_ptr<void> IntegralSampling::Part(std::size_t number) const
 {
-    const std::size_t before = std::accumulate(parts.begin(), parts.begin() + number,
-                                               std::size_t(0));
-    return {memory, memory->Data() + before * width * height};
+    return {memory, memory->Data() + Begin_Of(number)};
 }
 
-void IntegralSampling::Done(int pass, const integral::PictureBlock& block)
+void IntegralSampling::Release()
 {
-    memory->Used(Bytes_A_Pixel() * (block.right - block.left + 1) * (block.bottom - block.top + 1));
-    if (!lent || pass != Last_Pass())
-        return;
-    unsigned int serial;
-    if (!Is_Wanted(block, serial))
-        return;
     std::lock_guard<std::mutex> lock(mutex);
-    const auto row = rows_left.find(block.top);
-    if (--row->second == 0)
-        rows_left.erase(row);
-    // Blocks are at most `side` rows high.
-    lent->forget_above((rows_left.empty() ? height : rows_left.begin()->first) -
-                       pass_rows.retain_margin() - side);
+    int lent_from = height, from = height;
+    for (int pass = 0; pass <= Last_Pass(); pass++)
+    {
+        from = std::min(from, schedule->first_needed(pass));
+        if (pass <= estimation)
+            lent_from = std::min(lent_from, schedule->first_needed(pass));
+    }
+    for (std::size_t part = 0; part < parts.size(); part++)
+    {
+        const bool of_samples = part == lent_part || part == lenders_part;
+        const std::size_t rows = std::size_t(std::max(0, of_samples ? lent_from : from)),
+                          end = Begin_Of(part) + rows * width * parts[part];
+        if (end > released[part])
+            released[part] = memory->Release(released[part], end);
+    }
+    if (lent)
+        lent->forget_above(lent_from - side); // blocks are at most `side` rows high
 }
 
 void IntegralSampling::Begin(ViewData& view)
@@ -160,8 +152,8 @@ void IntegralSampling::Make_Schedule()
     scheduled = pass_rows.passes(requested, counting);
     schedule.reset(new integral::PassSchedule(
         {int(area.left), int(area.top), int(area.right), int(area.bottom)}, side, scheduled));
-    for (const auto& block : serials)
-        rows_left[block.first.second]++;
+    for (std::size_t part = 0; part < parts.size(); part++)
+        released.push_back(Begin_Of(part));
 }
 
 bool IntegralSampling::Is_Wanted(const integral::PictureBlock& block, unsigned int& serial) const
@@ -173,7 +165,7 @@ bool IntegralSampling::Is_Wanted(const integral::PictureBlock& block, unsigned i
     return true;
 }
 
-bool IntegralSampling::Shows(const integral::PictureBlock& block) const
+bool IntegralSampling::Reports(const integral::PictureBlock& block) const
 {
     return serials.count({block.left, Whole(block).top}) > 0;
 }

@@ -39,10 +39,9 @@ struct IntegralRefinementOptions
     bool jitter, reproducible, final;
 };
 
-/// The results of the passes: 36 bytes per pixel of the rows that need samples, and 98 more with
-/// reconstruction. They are kept in a file if they exceed POV-Ray's limit for images in main
-/// memory. Further samples (32 bytes each, at most 15 a pixel) are kept in main memory, for the
-/// rows between the second pass and the last.
+/// The results of the passes: 36 bytes per pixel, and 102 more with reconstruction, of the rows
+/// that a pass still needs. Further samples take 32 bytes each, at most 15 a pixel, until layers
+/// have been estimated from them.
 class IntegralSampling
 {
 public:
@@ -59,14 +58,14 @@ public:
     static constexpr float sampling_share = 0.4f, refinement_share = 0.5f;
 
     /// `rows`: the rows that count. `side`: width and height of the view's blocks, pixels.
-    /// `most_memory`: limit of main memory, bytes. `reconstructs`: whether the frame is to be
-    /// reconstructed, if that is possible; `least_error`: see integral::Reconstruction. Throws
-    /// pov_base::Exception if there is no room.
-    /// `quilt`: of the picture; nothing: it is a frame.
+    /// `reconstructs`: whether the frame is to be
+    /// reconstructed, if that is possible; `least_error`: see integral::Reconstruction.
+    /// `displayed`: whether the picture is displayed while it is rendered. `quilt`: of the picture;
+    /// nothing: it is a frame. Throws pov_base::Exception if there is no room.
     IntegralSampling(const integral::IntegralCamera& camera,
                      const std::optional<integral::QuiltGeometry>& quilt,
-                     const pov_base::IntegralRows& rows, int side, std::size_t most_memory,
-                     bool reconstructs, double least_error);
+                     const pov_base::IntegralRows& rows, int side, bool reconstructs,
+                     double least_error, bool displayed);
 
     /// Takes the blocks of the view that are to be rendered, and makes the schedule of all passes.
     /// Later calls have no effect. Any thread may call it.
@@ -76,9 +75,12 @@ public:
     /// Whether a block of the last pass is to be rendered; if so, sets `serial` to its number.
     bool Is_Wanted(const integral::PictureBlock& block, unsigned int& serial) const;
 
-    /// Whether a block may be shown before its last pass: not if that would overwrite what an earlier render
-    /// finished (+C).
-    bool Shows(const integral::PictureBlock& block) const;
+    /// Whether the passes before the last report a block: not if an earlier render finished it
+    /// (+C).
+    bool Reports(const integral::PictureBlock& block) const;
+
+    /// Whether they hand over its unfinished pixels, too.
+    bool Is_Displayed() const { return displayed; }
 
     /// The whole block of the view that contains `part`, the piece on which a pass works.
     integral::PictureBlock Whole(const integral::PictureBlock& part) const;
@@ -88,8 +90,8 @@ public:
     /// The progress (0 to 1) that the passes before the last report for a block.
     float Progress(const integral::PictureBlock& block) const;
 
-    /// Reports that a pass is done with a block. Call it after PassSchedule::finish.
-    void Done(int pass, const integral::PictureBlock& block);
+    /// Releases the memory of rows that no pass needs any more. Call it after PassSchedule::finish.
+    void Release();
 
     integral::LightFieldImage& First() { return first; }
     /// Null: the frame is not reconstructed.
@@ -103,7 +105,7 @@ public:
 private:
     pov_base::IntegralRows rows;
     int width, height, side;
-    bool reconstructs;
+    bool reconstructs, displayed;
     integral::PassRows pass_rows;
     std::vector<std::size_t> parts; ///< bytes a pixel of each part of the memory
     std::shared_ptr<pov_base::IntegralMemory> memory;
@@ -112,9 +114,9 @@ private:
     std::unique_ptr<integral::Reconstruction> reconstructor;
     std::unique_ptr<integral::NoiseFilter> filter;
     Colour *colours;
-    std::mutex mutex;             ///< guards Begin and rows_left
-    std::map<int, int> rows_left; ///< unfinished blocks to be rendered, by their first row
-    POVRect area;                 ///< the rendered part of the frame
+    std::mutex mutex;                  ///< guards Begin and Release
+    std::vector<std::size_t> released; ///< end of what has been released of each part of the memory
+    POVRect area;                      ///< the rendered part of the frame
     std::map<std::pair<int, int>, unsigned int> serials; ///< of the blocks to be rendered, by left
                                                          ///< and top
     std::unique_ptr<integral::PassSchedule> schedule;
@@ -122,8 +124,7 @@ private:
 
     std::size_t Bytes_A_Pixel() const;
     void Make_Schedule();
-    std::shared_ptr<pov_base::IntegralMemory> Memory(const integral::Film& film,
-                                                     std::size_t most) const;
+    std::size_t Begin_Of(std::size_t part) const;
     std::shared_ptr<void> Part(std::size_t number) const;
 };
 

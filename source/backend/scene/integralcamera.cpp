@@ -167,8 +167,8 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
         {
             const auto quilt = view->quilt ? std::optional(view->quilt->geometry()) : std::nullopt;
             view->sampling = std::make_shared<IntegralSampling>(
-                *view->optics, quilt, given.rows, given.block_side, given.most_memory,
-                given.reconstruct, least_error_of_threshold * given.threshold);
+                *view->optics, quilt, given.rows, given.block_side, given.reconstruct,
+                least_error_of_threshold * given.threshold, given.displayed);
         }
         // Reconstruction gains more than sharing, and its own error is smaller.
         view->cache_expensive_shading_only = given.sharing == pov_base::IntegralSharing::automatic;
