@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests the reader of JSON documents: values, line numbers and limits.
 #include "integral/base/json.h"
+#include "integral/base/json_fields.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -144,6 +145,19 @@ BOOST_AUTO_TEST_CASE(messages_are_short)
     const std::string name(1000, 'n');
     BOOST_TEST(refusal("{\"" + name + "\": 1, \"" + name + "\": 2}") ==
                "line 1: the field " + std::string(80, 'n') + "... stands twice in one object");
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_field_is_answered_with_the_known_ones)
+{
+    const Json json = parse_json("{\"b\": 1, \"d\": 2}");
+    std::string reason;
+    try {
+        throw_on_unknown_fields({json, "thing"}, {"a", "b", "c"});
+    } catch (const std::exception& error) {
+        reason = error.what();
+    }
+    BOOST_TEST(reason == "thing.d is not a field of it: those are a, b and c");
+    BOOST_CHECK_NO_THROW(throw_on_unknown_fields({json, "thing"}, {"a", "b", "d"}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

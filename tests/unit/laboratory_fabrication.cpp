@@ -132,4 +132,11 @@ BOOST_AUTO_TEST_CASE(a_turn_of_the_spinning_shape_is_the_mask)
     BOOST_TEST(shape.at({0.95, 0}) == 0);
 }
 
+BOOST_AUTO_TEST_CASE(greys_lie_from_0_to_1)
+{
+    BOOST_CHECK_NO_THROW(Response({{0, 0}, {1, 2}}));
+    BOOST_CHECK_THROW(Response({{-0.1, 0}, {1, 2}}), std::invalid_argument);
+    BOOST_CHECK_THROW(Response({{0, 0}, {1.1, 2}}), std::invalid_argument);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

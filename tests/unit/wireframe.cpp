@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests which pixels points, lines and faces light, in comparison with the renderer's own mapping
 // of every pixel.
+#include "integral/wireframe/wireframe_report.h"
 #include "integral/wireframe/lens_pixels.h"
 #include "integral/wireframe/lens_rays.h"
 #include "integral/wireframe/wireframe.h"
@@ -406,6 +407,17 @@ BOOST_AUTO_TEST_CASE(pseudoscopic_mirrors_what_is_behind)
             BOOST_TEST(length(cross(point - from, back->direction)) < 1.1 * pixel_at_point);
         }
     }
+}
+
+BOOST_AUTO_TEST_CASE(the_report_gives_the_mean_number_of_lenses)
+{
+    Mesh mesh;
+    mesh.vertices.resize(4);
+    WireframeCost cost;
+    cost.lenses = 100;
+    cost.projections = 10;
+    BOOST_TEST(drawing_text(mesh, cost, 0.5) ==
+               "4 vertices through 2.5 of 100 lenses each: 10 projections, 0.50 s");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
