@@ -91,9 +91,13 @@ double renderer_bound(const BatchStep& step, double pixels)
     if (extension_of(step.output) == "exr")
         bytes += 9 * pixels;
     if (may_antialias(step.words)) {
-        constexpr double rows_in_use = 400; // at one time, by the passes of +A
-        const double in_use = step.size.width > 0 ? std::min(pixels, rows_in_use * step.size.width)
-                                                  : pixels;
+        // The passes of +A use about 320 rows of a frame at a time, and more where its lenses are
+        // higher than a block. A quilt's may use all rows.
+        constexpr double most_rows = 1000;
+        const bool may_use_all = step.size.width <= 0 ||
+                                 !value_of_option(step.words, "integral_quilt", "").empty() ||
+                                 !value_of_option(step.words, "render_block_size", "bs").empty();
+        const double in_use = may_use_all ? pixels : std::min(pixels, most_rows * step.size.width);
         bytes += 26 * mebibyte + 160 * in_use;
     }
     if (!value_of_option(step.words, "integral_depth_image", "").empty())

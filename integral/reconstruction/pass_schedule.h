@@ -33,9 +33,8 @@ struct SchedulePass {
     int reach = 0;
 };
 
-/// Hands out the blocks of all passes in a fixed order. Thread-safe. The first pass waits where it
-/// would be further ahead of the last pass than that order has it, so that the rows on which the
-/// passes work at one time are few, whatever the height of the picture.
+/// Hands out the blocks of all passes in a fixed order. Thread-safe. The first pass waits
+/// for the last one, so that few rows are in use at a time, whatever the height of the picture.
 class PassSchedule {
 public:
     struct Item {
@@ -51,15 +50,15 @@ public:
     /// been given out before it.
     std::optional<Item> next();
 
-    /// Whether all prerequisites of the item are finished. An item of the first pass also waits for
-    /// the last pass (see above).
+    /// Whether all prerequisites of the item are finished. For an item of the first pass: whether
+    /// the last pass is at most as far behind as the order of the items has it.
     bool is_ready(const Item& item) const;
 
     /// Reports that the item is finished.
     void finish(const Item& item);
 
-    /// The first row of the picture that a pass still needs, for its own first unfinished block or
-    /// from the pass before, in the reach of that block. INT_MAX: the pass has finished.
+    /// The first row of the picture whose data a pass still needs: the top of its first unfinished
+    /// block minus its reach. INT_MAX: the pass has finished.
     int first_needed(int pass) const;
 
 private:
@@ -77,9 +76,9 @@ private:
     std::vector<Item> items_;
     std::vector<std::vector<std::atomic<int>>> left_; ///< blocks not finished, [pass][row of
                                                       ///< blocks]
-    /// For each pass: the rows of blocks above this one are finished. Set by first_unfinished.
+    /// For each pass, a row of blocks: all rows above it are finished. Set by first_unfinished.
     mutable std::vector<std::atomic<int>> finished_above_;
-    int ahead_ = 0; ///< rows of blocks by which the order has the first pass ahead of the last
+    int ahead_ = 0; ///< rows of blocks between the first and the last pass in the order
     std::atomic<std::size_t> given_{0};
 };
 

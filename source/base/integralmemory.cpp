@@ -19,8 +19,8 @@
 namespace pov_base
 {
 
-// Large pages, where the system has them, save work of the kernel. In a small block they would
-// waste memory.
+// A block of `least_bytes` or more gets large pages if the system has them: the kernel then has
+// fewer pages to make. In a smaller block, large pages would waste memory.
 static constexpr std::size_t large_page = std::size_t(2) << 20, least_bytes = 32 * large_page;
 
 IntegralMemory::IntegralMemory(std::size_t bytes) : size(bytes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Allocates memory for data of every pixel of a frame, while only some of its rows are in use.
+// Allocates memory for the data of a frame's pixels. Only some of its rows are in use at a time.
 #ifndef POVRAY_BASE_INTEGRALMEMORY_H
 #define POVRAY_BASE_INTEGRALMEMORY_H
 
@@ -13,7 +13,7 @@ namespace pov_base
 class IntegralMemory
 {
 public:
-    /// Throws pov_base::Exception if there are not so many addresses.
+    /// Throws pov_base::Exception if the address space is too small.
     explicit IntegralMemory(std::size_t bytes);
     ~IntegralMemory();
     IntegralMemory(const IntegralMemory&) = delete;

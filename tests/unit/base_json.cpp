@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(messages_are_short)
                "line 1: the field " + std::string(80, 'n') + "... stands twice in one object");
 }
 
-BOOST_AUTO_TEST_CASE(an_unknown_field_is_answered_with_the_known_ones)
+BOOST_AUTO_TEST_CASE(a_refused_field_lists_the_legal_fields)
 {
     const Json json = parse_json("{\"b\": 1, \"d\": 2}");
     std::string reason;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests which pixels points, lines and faces light, in comparison with the renderer's own mapping
 // of every pixel.
-#include "integral/wireframe/wireframe_report.h"
 #include "integral/wireframe/lens_pixels.h"
 #include "integral/wireframe/lens_rays.h"
 #include "integral/wireframe/wireframe.h"
+#include "integral/wireframe/wireframe_report.h"
 
 #include "integral/frame/names.h"
 #include "integral/optics/beam.h"

@@ -64,8 +64,7 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
       displayed(displayed),
       pass_rows(Pass_Rows(camera, quilt, side, this->reconstructs)),
       parts(Parts(this->reconstructs)),
-      memory(std::make_shared<pov_base::IntegralMemory>(Bytes_A_Pixel() * std::size_t(width) *
-                                                        height)),
+      memory(std::make_shared<pov_base::IntegralMemory>(Begin_Of(parts.size()))),
       first(quilt ? integral::LightFieldImage(width, height, Part(first_part))
                   : integral::LightFieldImage(camera, Part(first_part))),
       colours(static_cast<Colour *>(Part(colours_part).get()))
@@ -88,12 +87,7 @@ IntegralSampling::IntegralSampling(const integral::IntegralCamera& camera,
     filter.reset(new integral::NoiseFilter(camera, first));
 }
 
-std::size_t IntegralSampling::Bytes_A_Pixel() const
-{
-    return std::accumulate(parts.begin(), parts.end(), std::size_t(0));
-}
-
-/// The first byte of a part of the memory.
+/// Returns the first byte of a part of the memory; for the number of parts, the size of the memory.
 std::size_t IntegralSampling::Begin_Of(std::size_t part) const
 {
     return std::accumulate(parts.begin(), parts.begin() + part, std::size_t(0)) * width * height;

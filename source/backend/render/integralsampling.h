@@ -57,11 +57,11 @@ public:
     /// remaining share.
     static constexpr float sampling_share = 0.4f, refinement_share = 0.5f;
 
-    /// `rows`: the rows that count. `side`: width and height of the view's blocks, pixels.
-    /// `reconstructs`: whether the frame is to be
+    /// `quilt`: of the picture; nothing: it is a frame. `rows`: the rows that count. `side`: width
+    /// and height of the view's blocks, pixels. `reconstructs`: whether the frame is to be
     /// reconstructed, if that is possible; `least_error`: see integral::Reconstruction.
-    /// `displayed`: whether the picture is displayed while it is rendered. `quilt`: of the picture;
-    /// nothing: it is a frame. Throws pov_base::Exception if there is no room.
+    /// `displayed`: whether the picture is displayed while it is rendered. Throws
+    /// pov_base::Exception if the address space is too small.
     IntegralSampling(const integral::IntegralCamera& camera,
                      const std::optional<integral::QuiltGeometry>& quilt,
                      const pov_base::IntegralRows& rows, int side, bool reconstructs,
@@ -75,11 +75,11 @@ public:
     /// Whether a block of the last pass is to be rendered; if so, sets `serial` to its number.
     bool Is_Wanted(const integral::PictureBlock& block, unsigned int& serial) const;
 
-    /// Whether the passes before the last report a block: not if an earlier render finished it
-    /// (+C).
+    /// Whether the progress of a block is reported before its last pass: not if an earlier render
+    /// finished it (+C).
     bool Reports(const integral::PictureBlock& block) const;
 
-    /// Whether they hand over its unfinished pixels, too.
+    /// Whether the block's unfinished pixels are handed over, too.
     bool Is_Displayed() const { return displayed; }
 
     /// The whole block of the view that contains `part`, the piece on which a pass works.
@@ -115,14 +115,14 @@ private:
     std::unique_ptr<integral::NoiseFilter> filter;
     Colour *colours;
     std::mutex mutex;                  ///< guards Begin and Release
-    std::vector<std::size_t> released; ///< end of what has been released of each part of the memory
+    std::vector<std::size_t> released; ///< of each part of the memory: where to begin the next
+                                       ///< release
     POVRect area;                      ///< the rendered part of the frame
     std::map<std::pair<int, int>, unsigned int> serials; ///< of the blocks to be rendered, by left
                                                          ///< and top
     std::unique_ptr<integral::PassSchedule> schedule;
     std::vector<integral::SchedulePass> scheduled; ///< the passes, as the schedule has them
 
-    std::size_t Bytes_A_Pixel() const;
     void Make_Schedule();
     std::size_t Begin_Of(std::size_t part) const;
     std::shared_ptr<void> Part(std::size_t number) const;
