@@ -70,8 +70,9 @@ void declare(options::options_description& all, DepthOptions& o)
         "there to the plane without parallax, and how wide a view is there. Without it depth is in "
         "disparities");
     add(all, "truth", o.truth, "FILE",
-        "score the map against the frame's depth frame (.exr, Integral_Depth_Image) or true "
-        "disparities (.pfm)");
+        "score the map against the depths of the frame or the quilt (.exr, Integral_Depth_Image) "
+        "or "
+        "true disparities (.pfm)");
     add(all, "border", o.border, "PIXELS (=0)",
         "leave so many out at each side of the map when scoring (the HCI toolkit: 15)");
     add(all, "json", o.json, "print the figures as JSON");

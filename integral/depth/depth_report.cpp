@@ -32,9 +32,13 @@ std::vector<float> read_truth(const std::string& path, const DepthInput& input)
 {
     const std::string extension = extension_of(path);
     if (extension == "exr") {
-        if (!input.frame)
-            throw std::invalid_argument("a depth frame is for a frame; views need .pfm");
-        return true_disparities(input.views, *input.frame, read_depths(path));
+        const DepthFrame depths = read_depths(path);
+        if (input.frame.has_value() == depths.metadata.quilt.has_value())
+            throw std::invalid_argument(input.frame ? "it is a quilt's, and the input is a frame"
+                                                    : "it is a frame's, and the input is views; "
+                                                      "give the depths of a quilt, or a .pfm");
+        return input.frame ? true_disparities(input.views, *input.frame, depths)
+                           : true_disparities(input.views, depths);
     }
     const FloatMap map = read_pfm(path);
     const ViewSet& views = input.views;

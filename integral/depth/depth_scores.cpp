@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/depth/depth_scores.h"
 
+#include "integral/base/number_text.h"
 #include "integral/depth/texture.h"
 #include "integral/optics/lens_mapping.h"
 
@@ -84,6 +85,43 @@ std::vector<float> true_disparities(const ViewSet& views, const FrameMetadata& f
     std::vector<float> truth = depths_seen(views, frame, depths, {0, 0});
     for (float& value : truth)
         value = std::isfinite(value) ? float(views.scale->disparity(value)) : NAN;
+    return truth;
+}
+
+std::vector<float> true_disparities(const ViewSet& views, const DepthFrame& quilt)
+{
+    const Film& film = quilt.metadata.film;
+    const ViewGrid tiles = quilt.metadata.quilt->grid,
+                   grid = directions_of(tiles, quilt.metadata.sheet);
+    const int width = film.width / tiles.columns, height = film.height / tiles.rows;
+    if (width != views.upright_width() || height != views.upright_height())
+        throw std::invalid_argument("its views have " + size_text(width, height) +
+                                    " pixels, and the input's " +
+                                    size_text(views.upright_width(), views.upright_height()));
+    if (!views.scale)
+        throw std::invalid_argument(
+            "it has depths in mm, and the views do not say where their eyes were; give --eyes");
+    const EyeGrid& eyes = *quilt.metadata.quilt->eyes;
+    const auto from_middle = [](int count) { return count / 2 - 0.5 * (count - 1); };
+    const Vec2 eye{from_middle(grid.columns) * eyes.zone.x / grid.columns,
+                   from_middle(grid.rows) * eyes.zone.y / grid.rows};
+    const double distance = views.scale->distance;
+    if (length(eye - views.eye) > 1e-3 * distance ||
+        std::fabs(eyes.distance - distance) > 1e-3 * distance)
+        throw std::invalid_argument("its middle view is of an eye in another place");
+    const int middle = grid.rows / 2 * grid.columns + grid.columns / 2,
+              left = middle % tiles.columns * width,
+              top = film.height - (middle / tiles.columns + 1) * height;
+    std::vector<float> truth;
+    truth.reserve(views.pixels());
+    for (int y = 0; y < views.height; ++y)
+        for (int x = 0; x < views.width; ++x) {
+            const std::size_t at = views.upright_pixel(x, y), row = at / std::size_t(width),
+                              column = at % std::size_t(width);
+            const float mm = quilt.depth[(std::size_t(top) + row) * std::size_t(film.width) +
+                                         std::size_t(left) + column];
+            truth.push_back(std::isfinite(mm) ? float(views.scale->disparity(mm)) : NAN);
+        }
     return truth;
 }
 

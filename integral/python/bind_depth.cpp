@@ -5,6 +5,7 @@
 #include "integral/depth/depth_quality.h"
 #include "integral/depth/relief_frame.h"
 #include "integral/depth/relief_input.h"
+#include "integral/io/image_file.h"
 #include "integral/python/arrays.h"
 #include "integral/python/calls.h"
 #include "integral/python/rooms.h"
@@ -38,6 +39,21 @@ UprightMap measured(const Frame& frame, DepthQuality quality, int width, int thr
     if (!map)
         throw Interrupted();
     return upright_map(input.views, *map, input.width, input.height, width);
+}
+
+/// (depth_mm, metadata, eye_distances) of a depth frame.
+py::tuple read_depth_frame(const std::string& path)
+{
+    DepthFrame frame = result_of_long(py::none(),
+                                      [&](const Progress&) { return read_depths(path); });
+    for (std::size_t k = 0; k < frame.depth.size(); ++k)
+        if (!(frame.imaged[k] > 0))
+            frame.depth[k] = NAN;
+    const Film& film = frame.metadata.film;
+    const py::object metadata = parsed(to_json(frame.metadata));
+    return py::make_tuple(
+        array_of(std::move(frame.depth), {film.height, film.width}), metadata,
+        array_of(std::move(frame.eye_distances), {py::ssize_t(frame.eye_distances.size())}));
 }
 
 /// (depth_mm, disparity, confidence, colour, pixel_mm) of what the centre eye sees.
@@ -90,6 +106,7 @@ py::array refocus(const py::object& of_python, double focus, double pupil, std::
 
 void declare_depth(py::module_& module)
 {
+    module.def("read_depths", read_depth_frame);
     module.def("depth", depth);
     module.def("refocus", refocus);
 }

@@ -20,13 +20,13 @@ from .camera import Camera, Rays
 from .frame import Frame, read
 from .geometry import Aperture, Film, LensSheet, document
 from .light_field import LightField
-from .measuring import (Depth, Fit, compare, depth, difference, fit, known_sheets, refocus,
-                        sheet_figures)
+from .measuring import (Depth, DepthFrame, Fit, compare, depth, difference, fit, known_sheets,
+                        read_depths, refocus, sheet_figures)
 from .viewing import frame_from_views, interlace, panel, panel_names, replay, views
 
 __all__ = [
-    "Aperture", "Camera", "Depth", "Film", "Fit", "Frame", "InputError", "LensSheet", "LightField",
-    "OutputError", "Rays", "compare", "depth", "difference", "document", "fit", "frame_from_views",
-    "interlace", "known_sheets", "panel", "panel_names", "read", "refocus", "replay",
-    "sheet_figures", "views",
+    "Aperture", "Camera", "Depth", "DepthFrame", "Film", "Fit", "Frame", "InputError", "LensSheet",
+    "LightField", "OutputError", "Rays", "compare", "depth", "difference", "document", "fit",
+    "frame_from_views", "interlace", "known_sheets", "panel", "panel_names", "read", "read_depths",
+    "refocus", "replay", "sheet_figures", "views",
 ]

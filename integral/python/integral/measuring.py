@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Figures of pictures and sheets; depth measured in frames."""
+import os
 from typing import Any, Dict, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
@@ -24,6 +25,21 @@ class Depth(NamedTuple):
     confidence: np.ndarray
     colour: np.ndarray
     pixel_mm: float
+
+
+class DepthFrame(NamedTuple):
+    """The true depths that Integral_Depth_Image writes: of the first surface that each pixel shows.
+
+    depth_mm       [y, x] behind the sheet, negative in front; infinite where there is no surface, NaN
+                   where the pixel images nothing
+    metadata       the document of the frame, or of the quilt with its "quilt"
+    eye_distances  from the plane of the scene's eye to the surfaces that it sees, in scene units;
+                   infinite where there is none: the distances that `fit` takes
+    """
+
+    depth_mm: np.ndarray
+    metadata: Document
+    eye_distances: np.ndarray
 
 
 class Fit(NamedTuple):
@@ -53,6 +69,11 @@ def difference(a: Union[Frame, Any], b: Union[Frame, Any], gain: float = 1) -> n
 
 def _frame(picture: Union[Frame, Any]) -> Frame:
     return picture if isinstance(picture, Frame) else Frame(picture)
+
+
+def read_depths(path: Union[str, "os.PathLike[str]"]) -> DepthFrame:
+    """Reads the true depths of a frame or a quilt, an OpenEXR file. Raises InputError."""
+    return DepthFrame(*_integral.read_depths(os.fspath(path)))
 
 
 def depth(frame: Frame, quality: str = "good", width: int = 0, *, threads: int = 0,

@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""Renders a scene as a light field of n x m views with the true depth and disparity of each, in the
+layout of the HCI 4D Light Field Benchmark (Honauer and others 2016):
+
+    data_set.py SCENE.pov FOLDER [--views 9x9] [--size 512x512] [--disparity 1.5]
+                [--hdf5 FILE.h5] [RENDERER OPTION...]
+
+FOLDER then has input_Cam000.png (the view from the upper left) to input_Cam080.png,
+gt_disp_lowres.pfm and gt_depth_lowres.pfm of the middle view, the same with _CamNNN of each view,
+and parameters.cfg. The scene may have any perspective camera; the middle view is its picture. A unit
+of the scene counts as a metre. Other options, such as +A0.3 or +L, are the renderer's.
+"""
+import argparse
+import configparser
+import datetime
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+import integral
+
+WINDOW_MM = 100       # width of the sheet, which all views show; any would do
+SENSOR_MM = 35        # of parameters.cfg, which states the angle of view as focal length and sensor
+FARTHEST_EYES = 0.02  # greatest spacing of the eyes, as a part of the distance, for flat scenes
+
+
+def pair(text):
+    numbers = text.split("x")
+    if len(numbers) != 2 or not all(number.isdigit() and int(number) for number in numbers):
+        raise argparse.ArgumentTypeError(f"{text}: two numbers are expected, as in 9x9")
+    return tuple(int(number) for number in numbers)
+
+
+def options():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0], allow_abbrev=False)
+    parser.add_argument("scene")
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--views", type=pair, default=(9, 9), metavar="CxR",
+                        help="views across and up (default: 9x9)")
+    parser.add_argument("--size", type=pair, default=(512, 512), metavar="WxH",
+                        help="pixels of a view (default: 512x512)")
+    parser.add_argument("--disparity", type=float, default=1.5, metavar="PIXELS",
+                        help="greatest disparity, from a view to the next, of nine tenths of the "
+                        "scene's depths (default: 1.5)")
+    parser.add_argument("--hdf5", metavar="FILE.h5", help="write the arrays to this file, too")
+    parser.add_argument("--renderer", default="povray-integral", metavar="PROGRAM")
+    return parser.parse_known_args()
+
+
+def render(renderer, scene, camera, size, output, *words):
+    """Renders SCENE to OUTPUT.png and its depths to OUTPUT.exr; returns the depths."""
+    said = subprocess.run(
+        [renderer, f"+I{scene}", f"+O{output}.png", f"+W{size[0]}", f"+H{size[1]}", "-D",
+         f"Integral_Camera={camera}", f"Integral_Depth_Image={output}.exr", *words],
+        stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    if said.returncode:
+        sys.exit("\n".join([line for line in said.stderr.splitlines() if line.strip()][-5:]))
+    return integral.read_depths(f"{output}.exr")
+
+
+def placed(distances, disparity, width):
+    """Where the plane without disparity stands, in scene units from the middle eye, and the spacing
+    of the eyes divided by a pixel's width in that plane."""
+    near, far = np.percentile(distances, [5, 95], method="lower")
+    if not np.isfinite(near):
+        sys.exit("data_set.py: the camera sees too few surfaces for a depth")
+    plane = 2 / (1 / near + 1 / far)
+    ratio = disparity / max(plane / near - 1, 1e-9)
+    return plane, min(ratio, FARTHEST_EYES * width)
+
+
+def tiles(quilt, views):
+    """[v, u, y, x, ...] of a quilt's picture, v from above and u from the left."""
+    (columns, rows), (height, width) = views, quilt.shape[:2]
+    return quilt.reshape(rows, height // rows, columns, width // columns, -1).swapaxes(1, 2)
+
+
+def rotation(axes):
+    """Euler angles, radians, in the order x, y, z, of a camera that looks along its own -z."""
+    x, y, z = (np.array(axis) / np.linalg.norm(axis) * (1, 1, -1) for axis in axes)
+    return (np.arctan2(y[2], -z[2]), -np.arcsin(np.clip(x[2], -1, 1)), np.arctan2(x[1], x[0]))
+
+
+def parameters(scene, metadata, views, size, ratio, disparities):
+    """The text fields of parameters.cfg. The world is right-handed: POV-Ray's with z negated."""
+    camera = metadata["camera"]
+    unit, plane = camera["units_per_mm"], camera["sheet_distance"]
+    pixel = WINDOW_MM / size[0] * unit
+    axes = [camera[name] for name in "xyz"]
+    eye = np.array(camera["origin"]) - np.array(axes[2]) / np.linalg.norm(axes[2]) * plane
+    turn = rotation(axes)
+    surfaces = disparities[np.isfinite(disparities)]
+    return {
+        "intrinsics": {
+            "focal_length_mm": SENSOR_MM * plane / (pixel * max(size)), "fstop": 100.0,
+            "image_resolution_x_px": size[0], "image_resolution_y_px": size[1],
+            "sensor_size_mm": float(SENSOR_MM)},
+        "extrinsics": {
+            "num_cams_x": views[0], "num_cams_y": views[1], "baseline_mm": 1000 * ratio * pixel,
+            "focus_distance_m": plane,
+            **{f"center_cam_{name}_m": value for name, value in zip("xyz", eye * (1, 1, -1))},
+            **{f"center_cam_r{name}_rad": value for name, value in zip("xyz", turn)}},
+        "meta": {
+            "scene": pathlib.Path(scene).stem, "category": "additional",
+            "date": datetime.date.today().isoformat(), "version": integral.__version__,
+            "authors": "povray-integral", "contact": "none",
+            "disp_min": surfaces.min(), "disp_max": surfaces.max(),
+            "frustum_disp_min": -ratio, "frustum_disp_max": surfaces.max(), "depth_map_scale": 1.0}}
+
+
+def write_pfm(path, values):
+    with open(path, "wb") as file:
+        file.write(b"Pf\n%d %d\n-1\n" % values.shape[::-1])
+        file.write(np.ascontiguousarray(values[::-1], dtype="<f4").tobytes())
+
+
+def write_hdf5(path, pictures, disparities, depths, attributes):
+    try:
+        import h5py
+    except ImportError:
+        sys.exit("data_set.py: --hdf5 needs the package python3-h5py")
+    with h5py.File(path, "w") as file:
+        for name, values in (("LF", pictures), ("disparity", disparities), ("depth_m", depths)):
+            file.create_dataset(name, data=values, compression="gzip")
+        for section in attributes.values():
+            file.attrs.update({name: value for name, value in section.items()})
+
+
+def main():
+    given, words = options()
+    views, size = given.views, given.size
+    whole = views[0] * size[0], views[1] * size[1]
+    sheet = "lens_sheet { square pitch 1 thickness 3 ior 1.5 }"
+    with tempfile.TemporaryDirectory() as scratch:
+        # The scene's own eye measures distances, wherever the sheet is.
+        seen = render(given.renderer, given.scene,
+                      f"{sheet} film {{ pixel_pitch {WINDOW_MM / 100} }}",
+                      (100, max(1, round(100 * size[1] / size[0]))), os.path.join(scratch, "look"),
+                      *words, "+Q0", "-A")
+        plane, ratio = placed(seen.eye_distances, given.disparity, size[0])
+        step = ratio * WINDOW_MM / size[0]
+        camera = (f"{sheet} sheet_distance {plane!r} capture_aperture "
+                  f"<{views[0] * step!r}, {views[1] * step!r}> film {{ pixel_pitch "
+                  f"<{WINDOW_MM / whole[0]!r}, {WINDOW_MM / size[0] / views[1]!r}> }}")
+        quilt = os.path.join(scratch, "quilt_qs{}x{}a{:.5g}".format(*views, size[0] / size[1]))
+        print(f"rendering {views[0] * views[1]} views of {size[0]} x {size[1]} pixels", flush=True)
+        truth = render(given.renderer, given.scene, camera, whole, quilt, *words,
+                       f"Integral_Quilt={views[0]}x{views[1]}")
+        pictures = tiles(integral.read(quilt + ".png").image, views)[..., :3]
+    distance = truth.metadata["aperture"]["distance_mm"]
+    far = distance + tiles(truth.depth_mm, views)[..., 0].astype(float)
+    depths = (far * truth.metadata["camera"]["units_per_mm"]).astype(np.float32)
+    disparities = (ratio * (distance / far - 1)).astype(np.float32)
+    surfaces = np.where(np.isfinite(far), disparities, np.nan)
+    config = parameters(given.scene, truth.metadata, views, size, ratio, surfaces)
+
+    given.folder.mkdir(parents=True, exist_ok=True)
+    for number in range(views[0] * views[1]):
+        at = divmod(number, views[0])
+        integral.Frame(pictures[at]).write(given.folder / f"input_Cam{number:03}.png")
+        write_pfm(given.folder / f"gt_disp_lowres_Cam{number:03}.pfm", disparities[at])
+        write_pfm(given.folder / f"gt_depth_lowres_Cam{number:03}.pfm", depths[at])
+    middle = views[1] // 2, views[0] // 2
+    write_pfm(given.folder / "gt_disp_lowres.pfm", disparities[middle])
+    write_pfm(given.folder / "gt_depth_lowres.pfm", depths[middle])
+    with open(given.folder / "parameters.cfg", "w") as file:
+        parser = configparser.ConfigParser()
+        parser.read_dict(config)
+        parser.write(file)
+    if given.hdf5:
+        write_hdf5(given.hdf5, pictures, disparities, depths, config)
+    print(f"{given.folder}: disparities of surfaces from {config['meta']['disp_min']:.3f} to "
+          f"{config['meta']['disp_max']:.3f} pixels")
+
+
+if __name__ == "__main__":
+    main()
