@@ -14,8 +14,6 @@
 namespace integral {
 namespace {
 
-constexpr int most_rounds = 20;
-
 struct MaskOptions : CommonOptions {
     SheetOptions sheet;
     FilmOptions film;
@@ -114,7 +112,7 @@ MaskRequest request_of(const MaskOptions& o)
 int run_calibration(const MaskOptions& o, int bits)
 {
     const Response process = read_response(*o.calibrate);
-    const Calibration found = calibrate(process, 1 << bits, most_rounds);
+    const Calibration found = calibrate(process, 1 << bits);
     if (o.output)
         write_file(*o.output, response_text(found.found));
     print_result(std::nullopt, rounds_text(found));

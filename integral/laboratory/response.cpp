@@ -129,14 +129,14 @@ std::string response_text(const Response& response)
     return text;
 }
 
-Calibration calibrate(const Response& process, int grey_levels, int most_rounds)
+Calibration calibrate(const Response& process, int grey_levels)
 {
     constexpr int places = 4001; // on the ramp
     const double least = process.least_depth(), most = process.deepest();
     Response assumed({{0, least}, {1, most}});
     std::map<double, double> measured; // depths by grey, of all rounds
     std::vector<CalibrationRound> rounds;
-    while (int(rounds.size()) < most_rounds) {
+    do {
         const auto profile = sculpted_ramp(process, assumed, grey_levels, places);
         CalibrationRound round;
         double squares = 0;
@@ -153,10 +153,7 @@ Calibration calibrate(const Response& process, int grey_levels, int most_rounds)
         for (const auto& [grey, depth] : measured)
             samples.push_back({grey, depth});
         assumed = Response(std::move(samples));
-        const std::size_t n = rounds.size();
-        if (n > 1 && rounds[n - 1].rms >= 0.999 * rounds[n - 2].rms)
-            break;
-    }
+    } while (rounds.size() < 2 || rounds.back().rms < 0.999 * rounds[rounds.size() - 2].rms);
     return {std::move(rounds), std::move(assumed)};
 }
 

@@ -55,9 +55,9 @@ std::string rounds_text(const Calibration& calibration);
 
 /// The six steps of appendix C with a simulated process: assume a linear response; make the mask of
 /// a ramp from the highest point to the lowest; expose; measure the profile; correct the assumed
-/// response by it; and repeat. `grey_levels`: of the mask. Stops after `most_rounds`, or when a
-/// round is no better than the one before.
-Calibration calibrate(const Response& process, int grey_levels, int most_rounds);
+/// response by it; and repeat. `grey_levels`: of the mask. Stops when a round is no better than the
+/// one before, at the latest when all grey levels have been measured.
+Calibration calibrate(const Response& process, int grey_levels);
 
 } // namespace integral
 

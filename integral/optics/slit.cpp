@@ -254,13 +254,8 @@ std::optional<double> solve_in_bracket(const Slit& slit, const Medium& medium, V
     for (int step = 0; step < most_steps; ++step) {
         const double s2 = medium.m * (limit - tau) * (limit + tau);
         const double s = s2 > 0 ? std::sqrt(s2) : 0;
-        if (!(s > 0) || !(equation.c(s) > 0)) { // rounded onto an end of the interval
-            const double inner = 0.5 * (low + high);
-            if (inner == tau || inner <= low || inner >= high)
-                return std::nullopt;
-            tau = inner;
-            continue;
-        }
+        if (!(s > 0) || !(equation.c(s) > 0))
+            return std::nullopt; // grazing light, rounded onto an end of the interval
         const double value = equation.g_value(tau, s);
         if (value == 0)
             break;

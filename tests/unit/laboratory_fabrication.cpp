@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(calibration_ends_at_the_grey_levels)
     const Response process = steep_process();
     double last = 0;
     for (const int levels : {256, 65536}) {
-        const Calibration found = calibrate(process, levels, 20);
+        const Calibration found = calibrate(process, levels);
         BOOST_REQUIRE(found.rounds.size() >= 3u);
         // A straight line is far off at first; half of the steepest step is left.
         const double step = 0.15 * 100 / 4 * 0.2 / (levels - 1);
