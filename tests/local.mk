@@ -65,6 +65,7 @@ unit_sources = \
   tests/unit/batch_progress.cpp \
   tests/unit/batch_renderer_options.cpp \
   tests/unit/batch_scene_look.cpp \
+  tests/unit/batch_slurm.cpp \
   tests/unit/batch_strips.cpp \
   tests/unit/batch_tune.cpp \
   tests/unit/compare_flip.cpp \
@@ -74,6 +75,7 @@ unit_sources = \
   tests/unit/compare_tolerances.cpp \
   tests/unit/depth_multibaseline.cpp \
   tests/unit/depth_spread.cpp \
+  tests/unit/depth_view_order.cpp \
   tests/unit/depth_votes.cpp \
   tests/unit/flip_oracle.h \
   tests/unit/frame_depth_range.cpp \

@@ -3,6 +3,7 @@
 // refused.
 #include "integral/frame/frame.h"
 #include "integral/frame/names.h"
+#include "integral/frame/recorded_camera.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -289,6 +290,40 @@ BOOST_AUTO_TEST_CASE(what_may_be_absent)
     BOOST_CHECK(!m.placement && !m.render);
     BOOST_TEST(m.aperture.width == 204.8295, boost::test_tools::tolerance(1e-6)); // fills the lens
     BOOST_TEST(m.aperture.height == m.aperture.width);
+}
+
+BOOST_AUTO_TEST_CASE(a_panel_s_own_viewing_distance_replaces_the_nominal_one)
+{
+    const std::string sheet =
+        R"({"sheet": {"arrangement": "lenticular", "pitch_mm": 1, "thickness_mm": 3, "ior": 1.5})";
+    const std::string panel = R"(, "panel": {"width": 300, "height": 400, "pixel_pitch_mm": 0.1})";
+    BOOST_TEST(frame_metadata_from_json(sheet + panel + R"(, "viewing_distance_mm": 350})")
+                   .aperture.distance == 350);
+    // 2.5 diagonals of 30 mm x 40 mm
+    BOOST_TEST(frame_metadata_from_json(sheet + panel + "}").aperture.distance == 125,
+               boost::test_tools::tolerance(1e-12));
+    // A print has no nominal distance.
+    BOOST_TEST(refusal(sheet + R"(, "film": {"pixel_pitch_mm": [0.1, 0.1]}})") ==
+               "aperture is missing");
+}
+
+BOOST_AUTO_TEST_CASE(a_recorded_camera_stands_in_its_sheet_s_space_or_in_the_scene)
+{
+    FrameMetadata m = frame_metadata_from_json(complete);
+    m.parallax = Parallax{0.5, 200};
+    const IntegralCamera in_scene = recorded_camera(m, CameraSpace::scene);
+    check_equal(in_scene.placement.origin, {1, 2, 3});
+    BOOST_TEST(in_scene.placement.units_per_mm == 0.5);
+    BOOST_REQUIRE(in_scene.parallax);
+    BOOST_TEST(in_scene.parallax->factor == 0.5);
+    BOOST_TEST(in_scene.relief.depth == relief_of(m).depth);
+    BOOST_TEST(in_scene.relief.depth != 1);
+    const IntegralCamera in_sheet = recorded_camera(m);
+    check_equal(scene_from_sheet(in_sheet.placement, {10, 20, 30}), {10, 20, 30});
+    BOOST_TEST(in_sheet.placement.units_per_mm == 1);
+    BOOST_CHECK(!in_sheet.parallax);
+    BOOST_TEST(in_sheet.relief.depth == 1);
+    BOOST_TEST(in_sheet.pseudoscopic);
 }
 
 BOOST_AUTO_TEST_CASE(each_bad_value_is_refused_by_name)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests pitch charts: measures Fourier components of the drawn pictures, and reads replayed charts
 // as an eye would.
+#include "integral/io/device_text.h"
 #include "integral/print/pitch_chart.h"
 #include "tests/unit/replay_frames.h"
 
@@ -194,6 +195,43 @@ BOOST_AUTO_TEST_CASE(lines_of_a_second_direction_are_those_of_the_lattice)
                     BOOST_TEST(std::fabs(turns - std::round(turns)) < 1e-9);
                 }
         }
+}
+
+namespace {
+
+/// The black in a part of a picture, pixels.
+double ink(const Image& image, int left, int top, int width, int height)
+{
+    double sum = 0;
+    for (int y = top; y < top + height; ++y)
+        for (int x = left; x < left + width; ++x)
+            sum += 1 - decode({}, stored_pixel(image, x, y).g);
+    return sum;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_bar_s_number_is_printed_in_bold)
+{
+    const PitchChart chart = chart_of(Arrangement::lenticular, 1.27, 0, {600, 600}, {152.4, 101.6},
+                                      {1.252, 0.004, 9});
+    const Image page = pitch_chart(chart);
+    constexpr double column = 21, column_width = 6; // mm from the bar, before its figures
+    for (const ChartBar& bar : chart_bars(chart)) {
+        const double pixel = chart.film.pixel_pitch.x;
+        const double printed = ink(page, bar.left - int(column / pixel), bar.top,
+                                   int(column_width / pixel), bar.height);
+        const auto written = [&](bool bold) {
+            Image empty = make_image<std::uint8_t>(400, 400, 3, {});
+            auto& samples = std::get<std::vector<std::uint8_t>>(empty.samples);
+            std::fill(samples.begin(), samples.end(), std::uint8_t(255));
+            write_text(empty, chart.film.pixel_pitch, std::to_string(bar.number), {5, 8},
+                       {3.2, bold});
+            return ink(empty, 0, 0, 400, 400);
+        };
+        BOOST_TEST(written(false) < 0.9 * written(true));
+        BOOST_TEST(printed == written(true), boost::test_tools::tolerance(0.03));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_panel_s_card_does_not_say_that_it_is_printed)
