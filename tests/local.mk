@@ -6,6 +6,8 @@ EXTRA_PROGRAMS += build/tests/unit
 build_tests_unit_SOURCES = $(unit_sources)
 build_tests_unit_CPPFLAGS = $(AM_CPPFLAGS) -DBOOST_TEST_DYN_LINK
 build_tests_unit_LDADD = $(LIBINTEGRAL_LIBS) $(SDL2_LIBS) $(BOOST_TEST_LIBS)
+# Templates of Boost's for the most part, whose compiling takes longer than their tests.
+$(build_tests_unit_OBJECTS): CXXFLAGS = -Og
 
 EXTRA_PROGRAMS += build/tests/centroid
 build_tests_centroid_SOURCES = tests/replay/centroid.cpp

@@ -31,38 +31,35 @@ void LightReport::add_flattened(double least)
     add_text("micro-images flattened that fell to " + with_digits(least, 3));
 }
 
-nlohmann::ordered_json rectify_json(const FoundLattice& found, const LatticeSearch& search,
-                                    const Film& film, const LightReport& light)
+Json rectify_json(const FoundLattice& found, const LatticeSearch& search, const Film& film,
+                  const LightReport& light)
 {
     const ScanMap& m = found.map;
     const double pitch = search.sheet.pitch;
-    return {
-        {"rotation_degrees", m.rotation / radians_per_degree},
-        {"pitch_mm", pitch},
-        {"pitch_px", {pitch * m.scale.x, pitch * m.scale.y}},
-        {"micro_image_pitch_mm",
-         pitch * (1 + search.sheet.thickness / (search.sheet.ior * search.aperture.distance))},
-        {"middle_px", {m.middle.x, m.middle.y}},
-        {"sheet_offset_mm", {search.sheet.offset.x, search.sheet.offset.y}},
-        {"scan_dpi", {mm_per_inch * m.scale.x, mm_per_inch * m.scale.y}},
-        {"scale", {m.scale.x / search.about.scale.x, m.scale.y / search.about.scale.y}},
-        {"standard_error",
-         found.errors_known
-             ? nlohmann::ordered_json{{"rotation_degrees",
-                                       found.rotation_error / radians_per_degree},
-                                      {"pitch_relative",
-                                       {found.scale_error.x, found.scale_error.y}},
-                                      {"middle_px", {found.offset_error.x, found.offset_error.y}}}
-             : nlohmann::ordered_json(nullptr)},
-        {"contrast", found.contrast},
-        {"significance", found.significance},
-        {"rival_share", found.rival_share},
-        {"parts", {{"agreeing", found.agreeing_parts}, {"of", found.parts}}},
-        {"film",
-         {{"width", film.width},
-          {"height", film.height},
-          {"pixel_pitch_mm", {film.pixel_pitch.x, film.pixel_pitch.y}}}},
-        {"corrections", light.json()}};
+    return {{"rotation_degrees", m.rotation / radians_per_degree},
+            {"pitch_mm", pitch},
+            {"pitch_px", {pitch * m.scale.x, pitch * m.scale.y}},
+            {"micro_image_pitch_mm",
+             pitch * (1 + search.sheet.thickness / (search.sheet.ior * search.aperture.distance))},
+            {"middle_px", {m.middle.x, m.middle.y}},
+            {"sheet_offset_mm", {search.sheet.offset.x, search.sheet.offset.y}},
+            {"scan_dpi", {mm_per_inch * m.scale.x, mm_per_inch * m.scale.y}},
+            {"scale", {m.scale.x / search.about.scale.x, m.scale.y / search.about.scale.y}},
+            {"standard_error",
+             found.errors_known
+                 ? Json{{"rotation_degrees", found.rotation_error / radians_per_degree},
+                        {"pitch_relative", {found.scale_error.x, found.scale_error.y}},
+                        {"middle_px", {found.offset_error.x, found.offset_error.y}}}
+                 : Json(nullptr)},
+            {"contrast", found.contrast},
+            {"significance", found.significance},
+            {"rival_share", found.rival_share},
+            {"parts", {{"agreeing", found.agreeing_parts}, {"of", found.parts}}},
+            {"film",
+             {{"width", film.width},
+              {"height", film.height},
+              {"pixel_pitch_mm", {film.pixel_pitch.x, film.pixel_pitch.y}}}},
+            {"corrections", light.json()}};
 }
 
 namespace {

@@ -4,9 +4,8 @@
 #define INTEGRAL_ANALYSIS_RECTIFY_REPORT_H
 
 #include "integral/analysis/lattice_search.h"
+#include "integral/base/json.h"
 #include "integral/frame/image.h"
-
-#include <nlohmann/json.hpp>
 
 #include <string>
 
@@ -23,18 +22,18 @@ public:
     /// The micro-images were flattened. Light in their average fell to `least` of its maximum.
     void add_flattened(double least);
 
-    const nlohmann::ordered_json& json() const { return json_; }
+    const Json& json() const { return json_; }
     const std::string& text() const { return text_; } ///< empty without corrections
 
 private:
     void add_text(const std::string& what);
-    nlohmann::ordered_json json_ = nlohmann::ordered_json::object();
+    Json json_ = Json::object();
     std::string text_;
 };
 
 /// The figures as JSON. `film` is the new frame's.
-nlohmann::ordered_json rectify_json(const FoundLattice& found, const LatticeSearch& search,
-                                    const Film& film, const LightReport& light);
+Json rectify_json(const FoundLattice& found, const LatticeSearch& search, const Film& film,
+                  const LightReport& light);
 
 /// The figures as text, in several lines.
 std::string rectify_text(const FoundLattice& found, const LatticeSearch& search, const Film& film,

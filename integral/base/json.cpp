@@ -8,6 +8,8 @@
 #include <streambuf>
 #include <vector>
 
+template class nlohmann::basic_json<nlohmann::ordered_map>;
+
 namespace integral {
 namespace {
 

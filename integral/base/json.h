@@ -11,6 +11,10 @@
 #include <string>
 #include <unordered_map>
 
+// Compiled once, in json.cpp, for programs that are not optimized: half of what a file with JSON
+// takes to compile.
+extern template class nlohmann::basic_json<nlohmann::ordered_map>;
+
 namespace integral {
 
 using Json = nlohmann::ordered_json;

@@ -2,19 +2,16 @@
 #include "integral/batch/batch_junit.h"
 
 #include "integral/base/file_bytes.h"
+#include "integral/base/json.h"
 #include "integral/base/message_text.h"
 #include "integral/batch/renderer_options.h"
 #include "integral/io/junit_xml.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cstdlib>
 #include <set>
 
 namespace integral {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The names of the jobs that are reported without seconds.
 std::set<std::string> repeatable_jobs(const PlannedBatch& batch)

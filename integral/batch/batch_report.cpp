@@ -2,19 +2,16 @@
 #include "integral/batch/batch_report.h"
 
 #include "integral/base/file_bytes.h"
+#include "integral/base/json.h"
 #include "integral/base/message_text.h"
 #include "integral/base/number_text.h"
 #include "integral/io/html_page.h"
 #include "integral/io/markup.h"
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 
 namespace integral {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The state of a step in the summary: done, failed, blocked or missing.
 std::string state_of(const StepResult& result, const StepRecord& record)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral batch: many frames, and the pictures made from them.
 #include "integral/base/file_bytes.h"
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/batch/batch_junit.h"
 #include "integral/batch/batch_report.h"
@@ -12,8 +13,6 @@
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <iostream>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral combine: frames of one sheet and film, merged by their depth.
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
@@ -7,8 +8,6 @@
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/views/combine.h"
-
-#include <nlohmann/json.hpp>
 
 namespace integral {
 namespace {
@@ -62,7 +61,6 @@ std::string figures_text(const CombineOptions& o, const CombinedShares& shares)
 
 std::string figures_json(const CombineOptions& o, const CombinedShares& shares)
 {
-    using Json = nlohmann::ordered_json;
     Json json = {{"frames", Json::array()}};
     for (std::size_t k = 0; k < shares.size(); ++k)
         json["frames"].push_back({{"frame", o.inputs[k]}, {"nearest", shares[k]}});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral compare: differences between two frames or views, or the pictures of two folders.
+#include "integral/base/json.h"
 #include "integral/cli/compare_options.h"
 #include "integral/cli/values.h"
 #include "integral/compare/compare_files.h"
@@ -7,8 +8,6 @@
 #include "integral/compare/figures_text.h"
 #include "integral/replay/compare_seen.h"
 #include "integral/replay/replay_page.h"
-
-#include <nlohmann/json.hpp>
 
 namespace integral {
 namespace {

@@ -2,14 +2,13 @@
 // integral multiview: compares integral imaging with multi-view images of the same scene.
 #include "integral/base/file_bytes.h"
 #include "integral/base/folders.h"
+#include "integral/base/json.h"
 #include "integral/batch/renderer_options.h"
 #include "integral/cli/command.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/thread_options.h"
 #include "integral/cli/values.h"
 #include "integral/laboratory/multiview_text.h"
-
-#include <nlohmann/json.hpp>
 
 #include <iostream>
 

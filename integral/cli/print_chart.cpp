@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/cli/print_chart.h"
 
+#include "integral/base/json.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/print/pitch_report.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral sheet: figures of a sheet, a film and a viewer, before anything is rendered.
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/batch/renderer_options.h"
 #include "integral/batch/scene_depths.h"
@@ -17,8 +18,6 @@
 #include "integral/sheet/sheet_list.h"
 #include "integral/sheet/sheet_plots.h"
 #include "integral/sheet/sheet_report.h"
-
-#include <nlohmann/json.hpp>
 
 namespace integral {
 namespace {
@@ -157,7 +156,7 @@ int report_scene(const SheetCommandOptions& o)
     if (o.picture)
         write_frame(*o.picture, {*picture, std::nullopt});
     if (o.json) {
-        nlohmann::ordered_json json = sheet_report_json(depths.metadata, viewer);
+        Json json = sheet_report_json(depths.metadata, viewer);
         json["scene_depths"] = scene_depth_json(*o.report, depths);
         print_result(o.output, json.dump(2) + "\n");
         return exit_done;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/compare/suite_report.h"
 
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/compare/figures_json.h"
 #include "integral/compare/suite_pictures.h"
 #include "integral/io/html_page.h"
 #include "integral/io/junit_xml.h"
 #include "integral/io/markup.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -198,16 +197,15 @@ std::string suite_page(const Suite& suite, const std::string& folder)
 std::string suite_json(const Suite& suite)
 {
     const Counts counts = counts_of(suite);
-    nlohmann::ordered_json json = {
-        {"compared", counts.compared},       {"failed", counts.failed},
-        {"missing", counts.missing},         {"passed", suite.passed()},
-        {"unused_tolerances", suite.unused}, {"files", nlohmann::ordered_json::array()}};
+    Json json = {{"compared", counts.compared},       {"failed", counts.failed},
+                 {"missing", counts.missing},         {"passed", suite.passed()},
+                 {"unused_tolerances", suite.unused}, {"files", Json::array()}};
     for (const SuitePair& pair : suite.pairs) {
-        nlohmann::ordered_json file = {{"name", pair.name},
-                                       {"outcome", name_of(pair.state)},
-                                       {"faults", pair.faults},
-                                       {"limits", nlohmann::ordered_json::object()},
-                                       {"figures", nullptr}};
+        Json file = {{"name", pair.name},
+                     {"outcome", name_of(pair.state)},
+                     {"faults", pair.faults},
+                     {"limits", Json::object()},
+                     {"figures", nullptr}};
         for (std::size_t kind = 0; kind < limit_count; ++kind)
             if (pair.limits[kind])
                 file["limits"][limit_kinds[kind].word] = *pair.limits[kind];
@@ -215,7 +213,7 @@ std::string suite_json(const Suite& suite)
             file["figures"] = figures_json(*pair.figures);
         json["files"].push_back(file);
     }
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) +
            "\n"; // replaces bytes of names that are not UTF-8
 }
 

@@ -9,7 +9,7 @@
 namespace integral {
 namespace {
 
-nlohmann::json as_json(const RegionScores& scores)
+Json as_json(const RegionScores& scores)
 {
     return {{"pixels", scores.pixels},   {"bad_0.07", scores.bad[0]}, {"bad_0.03", scores.bad[1]},
             {"bad_0.01", scores.bad[2]}, {"mse_x_100", scores.mse},   {"q25", scores.lower}};
@@ -68,11 +68,11 @@ std::string figures_text(const DepthFigures& figures)
     return text;
 }
 
-nlohmann::json figures_json(const DepthFigures& figures)
+Json figures_json(const DepthFigures& figures)
 {
-    nlohmann::json json = {{"views", figures.views},         {"width", figures.width},
-                           {"height", figures.height},       {"far", figures.range.least},
-                           {"near", figures.range.greatest}, {"seconds", figures.seconds}};
+    Json json = {{"views", figures.views},         {"width", figures.width},
+                 {"height", figures.height},       {"far", figures.range.least},
+                 {"near", figures.range.greatest}, {"seconds", figures.seconds}};
     if (const auto& scores = figures.scores)
         json["scores"] = {{"all", as_json(scores->all)},
                           {"edges", as_json(scores->edges)},

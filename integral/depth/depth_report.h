@@ -23,7 +23,7 @@ struct DepthFigures {
 };
 
 std::string figures_text(const DepthFigures& figures);
-nlohmann::json figures_json(const DepthFigures& figures);
+Json figures_json(const DepthFigures& figures);
 
 } // namespace integral
 

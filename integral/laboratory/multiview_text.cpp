@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/laboratory/multiview_text.h"
 
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/base/text_columns.h"
-
-#include <nlohmann/json.hpp>
 
 namespace integral {
 namespace {
@@ -29,10 +28,7 @@ std::string line(const std::string& label, const std::string& value)
     return "  " + padded(label, 55) + value + "\n";
 }
 
-nlohmann::ordered_json json_of(std::optional<double> value)
-{
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
+Json json_of(std::optional<double> value) { return value ? Json(*value) : Json(nullptr); }
 
 std::string seen_line(const SeenFrame& seen)
 {
@@ -79,25 +75,25 @@ std::string multiview_text(const MultiviewResult& result)
     return text;
 }
 
-nlohmann::ordered_json multiview_json(const MultiviewResult& result)
+Json multiview_json(const MultiviewResult& result)
 {
     const ViewFigures& f = result.figures;
-    nlohmann::ordered_json json = {{"views", result.views},
-                                   {"eyes", result.eyes},
-                                   {"distance_mm", f.distance},
-                                   {"zone_mm", f.zone},
-                                   {"flipping_period_mm", f.step},
-                                   {"pixel_step_mm", f.pixel_step},
-                                   {"pixels_per_lens", f.pixels_per_lens},
-                                   {"lens_apart_front_mm", f.depth.front},
-                                   {"lens_apart_behind_mm", json_of(f.depth.back)},
-                                   {"crosstalk", json_of(f.crosstalk)},
-                                   {"keystone_mm", {f.keystone.x, f.keystone.y}},
-                                   {"moire_pitch_mm", json_of(f.moire)},
-                                   {"moire_pitch_found_mm", json_of(result.moire)},
-                                   {"one_view_from_mm", f.one_view_from}};
+    Json json = {{"views", result.views},
+                 {"eyes", result.eyes},
+                 {"distance_mm", f.distance},
+                 {"zone_mm", f.zone},
+                 {"flipping_period_mm", f.step},
+                 {"pixel_step_mm", f.pixel_step},
+                 {"pixels_per_lens", f.pixels_per_lens},
+                 {"lens_apart_front_mm", f.depth.front},
+                 {"lens_apart_behind_mm", json_of(f.depth.back)},
+                 {"crosstalk", json_of(f.crosstalk)},
+                 {"keystone_mm", {f.keystone.x, f.keystone.y}},
+                 {"moire_pitch_mm", json_of(f.moire)},
+                 {"moire_pitch_found_mm", json_of(result.moire)},
+                 {"one_view_from_mm", f.one_view_from}};
     for (const SeenFrame& seen : result.seen) {
-        nlohmann::ordered_json entry = {{"name", seen.name}};
+        Json entry = {{"name", seen.name}};
         if (seen.switching) {
             entry["crosstalk"] = seen.switching->crosstalk;
             entry["changes_at_once"] = seen.switching->at_once;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/laboratory/resolution_text.h"
 
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/base/text_columns.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -131,10 +130,9 @@ std::string resolution_text(const ResolutionRequest& request, const ResolutionTa
     return text + "A line is a bright and a dark bar.\n" + reading(request, table, none, 1);
 }
 
-nlohmann::ordered_json resolution_json(const ResolutionRequest& request,
-                                       const ResolutionTable& table)
+Json resolution_json(const ResolutionRequest& request, const ResolutionTable& table)
 {
-    nlohmann::ordered_json cells = nlohmann::ordered_json::array();
+    Json cells = Json::array();
     for (std::size_t k = 0; k < table.size(); ++k)
         for (std::size_t j = 0; j < table[k].size(); ++j)
             cells.push_back({{"depth_mm", request.depths[k]},

@@ -3,9 +3,8 @@
 #ifndef INTEGRAL_LABORATORY_RESOLUTION_TEXT_H
 #define INTEGRAL_LABORATORY_RESOLUTION_TEXT_H
 
+#include "integral/base/json.h"
 #include "integral/laboratory/resolution.h"
-
-#include <nlohmann/json.hpp>
 
 #include <string>
 #include <vector>
@@ -28,12 +27,11 @@ const std::vector<ThesisTable>& thesis_tables();
 /// depth. `thesis`: the table to compare with; nullptr: none.
 std::string resolution_text(const ResolutionRequest& request, const ResolutionTable& table,
                             const ThesisTable* thesis);
-nlohmann::ordered_json resolution_json(const ResolutionRequest& request,
-                                       const ResolutionTable& table);
+Json resolution_json(const ResolutionRequest& request, const ResolutionTable& table);
 
 struct ResolutionReport {
     std::string text;
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    Json json = Json::array();
 };
 
 /// Runs the experiment with the request's sheet or, if `beside_thesis`, with each of the thesis's

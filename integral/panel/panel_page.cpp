@@ -3,16 +3,13 @@
 
 #include "build/generated/page_texts.h" // panel_page_html and its like
 #include "integral/base/file_bytes.h"
+#include "integral/base/json.h"
 #include "integral/io/html_page.h"
 #include "integral/io/markup.h"
 #include "integral/views/quilt.h"
 
-#include <nlohmann/json.hpp>
-
 namespace integral {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int channels = 3;
 

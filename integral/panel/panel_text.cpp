@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/panel/panel_text.h"
 
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/sheet/camera_words.h"
 #include "integral/sheet/sheet_report.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/print/pitch_report.h"
 
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/optics/film.h"
-
-#include <nlohmann/json.hpp>
 
 #include <stdexcept>
 
@@ -56,11 +55,10 @@ std::string pitch_report_text(const LensSheet& nominal, const PitchScale& scale,
     return text;
 }
 
-nlohmann::ordered_json pitch_report_json(const PitchScale& scale,
-                                         const std::vector<ChartReading>& readings,
-                                         const MeasuredSheet& found)
+Json pitch_report_json(const PitchScale& scale, const std::vector<ChartReading>& readings,
+                       const MeasuredSheet& found)
 {
-    nlohmann::ordered_json json, list = nlohmann::ordered_json::array();
+    Json json, list = Json::array();
     for (const ChartReading& reading : readings) {
         const Measured film = film_pitch_of(scale, reading);
         list.push_back({{"bars", reading.bars},
@@ -74,8 +72,7 @@ nlohmann::ordered_json pitch_report_json(const PitchScale& scale,
     json["ior"] = found.index.value;
     json["ior_measured"] = found.index_measured;
     json["ior_least"] = found.least_index;
-    json["ior_greatest"] = found.greatest_index > 0 ? nlohmann::ordered_json(found.greatest_index)
-                                                    : nlohmann::ordered_json(nullptr);
+    json["ior_greatest"] = found.greatest_index > 0 ? Json(found.greatest_index) : Json(nullptr);
     return json;
 }
 

@@ -2,6 +2,7 @@
 #include "integral/replay/replay_page.h"
 
 #include "build/generated/page_texts.h" // replay_page_html and its like
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/compare/compare_geometry.h"
 #include "integral/compare/seen.h"
@@ -10,16 +11,12 @@
 #include "integral/io/markup.h"
 #include "integral/replay/arrange.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace integral {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Data of the first view for the page's script.
 Json start_of(const View& start, const FrameMetadata& metadata)

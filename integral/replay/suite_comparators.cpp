@@ -3,11 +3,10 @@
 
 #include "build/generated/page_texts.h" // report_comparator_js
 #include "integral/base/interrupt.h"
+#include "integral/base/json.h"
 #include "integral/io/image_file.h"
 #include "integral/io/markup.h"
 #include "integral/replay/replay_page.h"
-
-#include <nlohmann/json.hpp>
 
 namespace integral {
 namespace {
@@ -45,10 +44,10 @@ std::string pieces_of(const SuitePair& pair, const SuiteFolders& folders)
         if (pair.figures)
             pictures = compared_pictures(reference, result, *pair.figures);
         pictures.title = pair.name;
-        nlohmann::ordered_json json = nlohmann::ordered_json::object();
+        Json json = Json::object();
         for (const auto& [name, piece] : comparison_pieces(pictures))
             json[name] = piece;
-        return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+        return json.dump(-1, ' ', false, Json::error_handler_t::replace);
     } catch (const InputError&) { // the comparison has noted this as a fault
         return "";
     }
@@ -86,8 +85,7 @@ void add_comparators(Suite& suite, std::size_t limit)
     }
     if (number == 0)
         return;
-    suite.comparator = dialog +
-                       data_element("comparison-shell", nlohmann::json(comparison_shell()).dump());
+    suite.comparator = dialog + data_element("comparison-shell", Json(comparison_shell()).dump());
     suite.comparator_style = style;
     suite.comparator_script = report_comparator_js;
 }

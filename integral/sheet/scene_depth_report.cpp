@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/sheet/scene_depth_report.h"
 
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/base/text_columns.h"
 #include "integral/sheet/depth_advice.h"
 #include "integral/sheet/sheet_figures.h"
 #include "integral/sheet/sheet_report.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +14,6 @@
 
 namespace integral {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double mm_per_m = 1000;
 constexpr double countless = 10000; // mm: depths beyond are "more than 10 m"

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/sheet/sheet_list.h"
 
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/frame/names.h"
 #include "integral/sheet/known_sheets.h"
 #include "integral/sheet/sheet_figures.h"
 #include "integral/sheet/sheet_report.h"
 
-#include <nlohmann/json.hpp>
-
 #include <cstdio>
 
 namespace integral {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// One line of the table.
 struct Row {

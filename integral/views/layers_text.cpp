@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/base/text_columns.h"
 #include "integral/sheet/depth_advice.h"
 #include "integral/views/layers.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace integral {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The text at the right of a column, after at least one blank.
 std::string column(const std::string& text, std::size_t width)

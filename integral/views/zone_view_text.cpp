@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/base/json.h"
 #include "integral/views/zone_view.h"
 
 #include "integral/base/number_text.h"
@@ -7,8 +8,6 @@
 #include "integral/io/markup.h"
 #include "integral/io/plot.h"
 #include "integral/replay/replay.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +20,6 @@ double angle_of(const ZoneView& view, double place)
 }
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string number(double value) { return with_decimals(value, 1); }
 

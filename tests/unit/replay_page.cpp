@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests the parts of the interactive page. tests/cli/replay_html.test shows the page in a browser.
+#include "integral/base/json.h"
 #include "integral/io/codecs.h"
 #include "integral/replay/arrange.h"
 #include "integral/replay/replay_page.h"
@@ -7,7 +8,6 @@
 #include "tests/unit/replay_frames.h"
 
 #include <boost/test/unit_test.hpp>
-#include <nlohmann/json.hpp>
 
 #include <string>
 
@@ -114,9 +114,9 @@ BOOST_AUTO_TEST_CASE(holds_geometry_and_start)
     BOOST_TEST(read.sheet.pitch == frame.metadata->sheet.pitch);
     BOOST_TEST(read.film.width == 7);
 
-    const auto view = nlohmann::json::parse(
+    const auto view = Json::parse(
         between(page, "<script type=\"application/json\" id=\"start\">", "</script>"));
-    auto requested = nlohmann::json::parse(
+    auto requested = Json::parse(
         R"({"eye": [1.5, -2, 300], "size": [0, 0], "samples": 5, "pupil": 4,
                                                  "focus": -8, "film_gap": 0.1, "blur": 0.2, "model": "pinhole",
                                                  "part": [1, -2, 30, 20], "zone": [0, 0]})");
