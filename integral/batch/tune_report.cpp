@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/batch/tune_report.h"
 
+#include "integral/base/json.h"
 #include "integral/base/number_text.h"
 #include "integral/base/text_columns.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace integral {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 bool antialiases(const TuneSetting& setting) { return setting.options[0] != "-A"; }
 
@@ -116,6 +113,19 @@ Json tune_json(const std::string& scene, const std::vector<std::string>& options
             {"target_seconds", or_null(goal.seconds)},
             {"settings", points},
             {"best", result.best ? points[*result.best] : Json(nullptr)}};
+}
+
+std::string tune_csv(const TuneResult& result)
+{
+    std::string text = "setting,error,error_low,error_high,seconds,processor_seconds\n";
+    for (const TunePoint& point : result.points) {
+        text += name_of(point.setting);
+        for (const double value :
+             {point.error.rms, point.error.low, point.error.high, point.seconds, point.processor})
+            text += "," + with_digits(value, 6);
+        text += "\n";
+    }
+    return text;
 }
 
 Plot tune_plot(const std::string& scene, const TuneResult& result)

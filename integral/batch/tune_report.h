@@ -21,6 +21,10 @@ std::string tune_text(const std::string& scene, const std::vector<std::string>& 
 nlohmann::ordered_json tune_json(const std::string& scene, const std::vector<std::string>& options,
                                  const TuneGoal& goal, const TuneResult& result);
 
+/// The points as comma-separated values, for spreadsheets and NumPy: a line of names, then a line
+/// for each setting; errors are RMS, 1 is full scale.
+std::string tune_csv(const TuneResult& result);
+
 /// Error against seconds, both logarithmic.
 Plot tune_plot(const std::string& scene, const TuneResult& result);
 

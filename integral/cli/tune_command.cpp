@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral tune: error against seconds of settings, for this scene and machine.
+#include "integral/base/json.h"
 #include "integral/batch/renderer.h"
 #include "integral/batch/renderer_options.h"
 #include "integral/batch/tune.h"
@@ -10,14 +11,12 @@
 #include "integral/io/image_file.h"
 #include "integral/io/plot.h"
 
-#include <nlohmann/json.hpp>
-
 namespace integral {
 namespace {
 
 struct TuneOptions : CommonOptions {
     std::optional<std::string> target_error, seconds, plot, output;
-    bool json = false, render = false;
+    bool json = false, csv = false, render = false;
 };
 
 void declare(options::options_description& all, TuneOptions& o)
@@ -29,6 +28,7 @@ void declare(options::options_description& all, TuneOptions& o)
         "how long the render may take: names the setting with the least error");
     add(all, "plot", o.plot, "FILE", "draw error against seconds, to FILE.svg or FILE.png");
     add(all, "json", o.json, "print the figures as JSON");
+    add(all, "csv", o.csv, "print the settings' errors and seconds as comma-separated values");
     add(all, "render", o.render, "then render the whole frame with the setting named");
     add(all, "output,o", o.output, "FILE", "print to FILE instead of standard output");
 }
@@ -54,14 +54,17 @@ int run(const TuneOptions& o)
         throw UsageError("--render needs a target: --target-error 0.02, or --seconds 60");
     const std::string& scene = o.inputs[0];
     const Arguments words(o.inputs.begin() + 1, o.inputs.end());
+    if (o.csv && o.json)
+        throw UsageError("--csv and --json ask for different things; give one of them");
     if (o.plot)
         plot_format(*o.plot);
     check_outputs({o.plot, o.output});
     const TuneResult result = tune(scene, words, goal, progress_bar("tune"));
     if (o.plot)
         write_plot(tune_plot(scene, result), *o.plot);
-    const std::string text = o.json ? tune_json(scene, words, goal, result).dump(2) + "\n"
-                                    : tune_text(scene, words, goal, result);
+    const std::string text = o.json  ? tune_json(scene, words, goal, result).dump(2) + "\n"
+                             : o.csv ? tune_csv(result)
+                                     : tune_text(scene, words, goal, result);
     // Standard output may be reserved for the picture.
     if (o.render && !o.output && value_of_option(words, "output_file_name", "o") == "-")
         std::fputs(text.c_str(), stderr);

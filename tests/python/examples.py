@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: AGPL-3.0-or-later
+"""examples/python: epipolar images and manipulations of frames of a wall 20 mm behind the sheet."""
+import os
+import sys
+
+import numpy as np
+
+import integral
+from cases import WALL, near, raises, run
+
+sys.path.insert(0, os.path.join(os.environ["TOP"], "examples/python"))
+import epipolar  # noqa: E402
+import manipulate  # noqa: E402
+
+
+def test_lines_of_an_epipolar_image_lean_with_depth():
+    frame = integral.read("squares.png")
+    field = manipulate.like(frame, frame.linear()).lightfield()
+    lines = epipolar.epipolar(field, 4)[..., 0]
+    # The wall's red grows by 1 in 200 mm, at the place where the ray meets it.
+    slope = -np.diff(lines, axis=0) / np.diff(field.u_mm)[:, None] * frame.aperture.distance_mm
+    near(slope * 200, np.full(slope.shape, WALL), 1)
+    drawn = epipolar.drawn(frame.lightfield(), 4)
+    assert drawn.dtype == np.uint16 and 900 < drawn.shape[1] < 1100
+
+
+def test_a_balanced_patch_is_grey_and_as_bright_as_before():
+    frame = integral.read("squares.png")
+    raises(SystemExit, "no light in one of the colours", manipulate.balance, frame, 10, 20, 30, 25)
+    linear = frame.linear() + np.float32([0, 0, 0.1])        # the wall has no blue
+    balanced = manipulate.balance(manipulate.like(frame, linear), 10, 20, 30, 25).linear()
+    before = linear[20:45, 10:40].mean(axis=(0, 1))
+    near(balanced[20:45, 10:40].mean(axis=(0, 1)), np.full(3, before.mean()), 2e-5)
+    near(balanced[60, 100] / linear[60, 100], before.mean() / before, 1e-5)
+
+
+def test_a_wall_to_which_the_plane_moves_looks_alike_from_everywhere():
+    frame = integral.read("squares.png")
+    field = manipulate.like(frame, frame.linear()).lightfield()
+    moved = manipulate.plane(frame, WALL).lightfield().samples
+    # Directions whose rays meet the wall at most 3 lenses beside their own: the others reach the border.
+    u, v = (np.abs(mm) * WALL / frame.aperture.distance_mm < 3 for mm in (field.u_mm, field.v_mm))
+    before, after = (np.ptp(samples[v][:, u, 3:-3, 3:-3, :2], axis=(0, 1))
+                     for samples in (field.samples, moved))
+    assert before.min() > 0.01 and after.max() < 1e-3, (before.min(), after.max())
+    raises(SystemExit, "do not cover whole pixels", manipulate.plane, integral.read("broken.png"), 1)
+
+
+def test_a_part_is_pasted_at_its_depth_behind_what_is_nearer():
+    frame = integral.read("squares.png")
+    depths = np.full(frame.image.shape[:2], WALL)
+    lens = round(1 / frame.film.pixel_pitch_mm[0])
+    depths[2 * lens:4 * lens, 3 * lens:5 * lens] = 5           # two lenses by two show something near
+    depths[5 * lens:6 * lens, 6 * lens:7 * lens] = -1          # and one something nearer still
+    pasted = manipulate.paste(frame, depths, 0, 10, 3, 3).linear()
+    expected = frame.linear()
+    expected[5 * lens:7 * lens, 6 * lens:8 * lens] = expected[2 * lens:4 * lens, 3 * lens:5 * lens]
+    expected[5 * lens:6 * lens, 6 * lens:7 * lens] = frame.linear()[5 * lens:6 * lens, 6 * lens:7 * lens]
+    near(pasted, expected, 1e-6)
+    back = manipulate.paste(frame, depths, 0, 10, -3, -2).linear()
+    assert np.abs(back - frame.linear())[:2 * lens, :2 * lens].max() > 1e-3
+
+
+if __name__ == "__main__":
+    run(globals())
