@@ -110,6 +110,8 @@ RenderRecord render_from(const JsonObject& object)
         render.fit = string_at(object, "fit");
     if (object.has("draft"))
         render.draft = whole_at(object, "draft", 1, largest_side);
+    if (object.has("phase"))
+        render.phase = vec2_at(object, "phase", 0, 1);
     render.pseudoscopic = flag_at(object, "pseudoscopic");
     render.display_prefilter = flag_at(object, "display_prefilter");
     if (object.has("error"))
@@ -223,6 +225,8 @@ Json json_of(const RenderRecord& render)
         json["fit"] = render.fit;
     if (render.draft > 1)
         json["draft"] = render.draft;
+    if (render.phase)
+        json["phase"] = {render.phase->x, render.phase->y};
     if (render.pseudoscopic)
         json["pseudoscopic"] = true;
     if (render.display_prefilter)

@@ -63,6 +63,23 @@ std::optional<Aperture> filling_aperture(const LensSheet& sheet, double distance
 /// at most filling_width of the cell_extent or, if that is empty, twice the distance.
 Vec2 viewing_zone(const LensSheet& sheet, const Aperture& aperture);
 
+/// A part of the viewing zone: places from `first` to `last`, 0 at its left edge (or, with
+/// `upwards`, its lower one) and 1 at the other; places beyond repeat, as the zone does in side
+/// lobes.
+struct ZonePhase {
+    double first = 0, last = 1;
+    bool upwards = false;
+
+    /// Whether a point of the aperture plane is in the part, or up to `margin` beyond. `zone`: its
+    /// width and height, mm, > 0 in the part's direction.
+    bool contains(Vec2 aperture_point, Vec2 zone, double margin) const
+    {
+        const double place = (upwards ? aperture_point.y / zone.y : aperture_point.x / zone.x) +
+                             0.5 - first + margin;
+        return place - std::floor(place) <= last - first + 2 * margin;
+    }
+};
+
 } // namespace integral
 
 #endif

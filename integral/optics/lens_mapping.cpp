@@ -237,7 +237,22 @@ bool SheetOptics::settle_between_two(Vec2 film_point, LensIndex nearest, const C
     return settled;
 }
 
+void SheetOptics::restrict_to(const ZonePhase& phase, double margin)
+{
+    phase_ = phase;
+    zone_ = viewing_zone(sheet_, aperture_);
+    phase_margin_ = margin;
+}
+
 MappedPoint SheetOptics::map(Vec2 film_point, LensMapping mapping) const
+{
+    MappedPoint mapped = find(film_point, mapping);
+    if (phase_)
+        keep_phase(mapped);
+    return mapped;
+}
+
+MappedPoint SheetOptics::find(Vec2 film_point, LensMapping mapping) const
 {
     if (!(std::fabs(film_point.x) + std::fabs(film_point.y) <=
           farthest_film * lattice_.pitch())) // also true for NaN
@@ -280,6 +295,8 @@ void SheetOptics::map_run(int number, const RayRun<Vec2>& film_points, LensMappi
         else if (!(found[k] &&
                    settle(film_points[k], nearest[k], mapping, candidates[k], mapped[k])))
             mapped[k] = closest ? map_closest(film_points[k]) : map_by_search(film_points[k]);
+    for (int k = 0; phase_ && k < number; ++k)
+        keep_phase(mapped[k]);
 }
 
 MappedPoint SheetOptics::map_closest(Vec2 film_point) const

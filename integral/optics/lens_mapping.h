@@ -56,6 +56,10 @@ public:
     SheetOptics(const LensSheet& sheet, const Aperture& aperture,
                 LensModel model = LensModel::extended_pinhole);
 
+    /// Maps film points only if their ray meets the aperture plane in a part of the viewing zone or
+    /// up to `margin` (fraction of the zone) beyond. Call it before the object is shared.
+    void restrict_to(const ZonePhase& phase, double margin);
+
     /// Lens and ray of a film point. No lens images a film point more than 10^9 pitches from the
     /// sheet's centre.
     MappedPoint map(Vec2 film_point, LensMapping mapping) const;
@@ -118,6 +122,12 @@ private:
     }
     bool passes(Vec2 aperture_point) const { return contains(edges_, aperture_point); }
 
+    MappedPoint find(Vec2 film_point, LensMapping mapping) const;
+    void keep_phase(MappedPoint& mapped) const
+    {
+        if (mapped.ray && !phase_->contains(mapped.ray->aperture_point, zone_, phase_margin_))
+            mapped = {std::nullopt, Empty::outside_aperture, mapped.searched};
+    }
     MappedPoint map_closest(Vec2 film_point) const;
     MappedPoint map_accurate(Vec2 film_point) const;
     MappedPoint map_exhaustive(Vec2 film_point) const;
@@ -181,6 +191,9 @@ private:
     double alone_limit_ = 0;         ///< if |A| is less, no other lens's ray is nearer the centre
     bool nearest_transmits_ = false; ///< the nearest lens never reflects light totally
     double likely_bend_ = 0;         ///< for likely_pole
+    std::optional<ZonePhase> phase_;   ///< nothing: the whole zone
+    Vec2 zone_;                      ///< width and height of the viewing zone, mm
+    double phase_margin_ = 0;
 };
 
 /// The film point mirrored at a lens's pole (lenticular: at its axis). Its own inverse. A

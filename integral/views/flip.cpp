@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/views/flip.h"
 
+#include "integral/base/number_text.h"
 #include "integral/frame/geometry_difference.h"
 #include "integral/io/frame_rows.h"
 #include "integral/io/image_file.h"
@@ -114,6 +115,39 @@ ZoneShares shares_of(const PictureFlip& flip, const std::vector<int>& order)
     return ZoneShares(division);
 }
 
+/// Throws std::invalid_argument if a frame was rendered for a part of the zone (Integral_Phase)
+/// that does not contain its share.
+void check_phases(const PictureFlip& flip, const std::vector<int>& order, const ZoneShares& shares,
+                  bool upwards)
+{
+    for (std::size_t k = 0; k < flip.pictures.size(); ++k) {
+        const FrameReader file(flip.pictures[k]);
+        const auto& metadata = file.frame().metadata;
+        if (!metadata || !metadata->render || !metadata->render->phase)
+            continue;
+        const Vec2 phase = *metadata->render->phase;
+        for (int at = 0; at < shares.count(); ++at) {
+            if (order[at] != int(k))
+                continue;
+            const double first = shares.border(at) - shares.half_transition(at),
+                         last = shares.border(at + 1) + shares.half_transition(at + 1);
+            constexpr double rounding = 1e-6;
+            if (!upwards && phase.x <= first + rounding && phase.y >= last - rounding)
+                continue;
+            const auto text = [](double from, double to) {
+                return with_digits(from, 4) + "," + with_digits(to, 4);
+            };
+            const bool whole = upwards || first < -rounding || last > 1 + rounding;
+            throw std::invalid_argument(
+                flip.pictures[k] + ": it shows the part " + text(phase.x, phase.y) +
+                " of the viewing zone, and its share with the transitions is " +
+                (whole
+                     ? std::string("another one; render it without Integral_Phase")
+                     : text(first, last) + "; render it with Integral_Phase=" + text(first, last)));
+        }
+    }
+}
+
 /// The direction in which the zone is divided. Throws std::invalid_argument if `upwards` is set for
 /// lenses that show pictures sideways alone.
 ZoneAxis axis_of(const PictureFlip& flip, const LensSheet& sheet)
@@ -136,6 +170,7 @@ ZoneView write_flip(const PictureFlip& flip, const Progress& progress)
     const Inputs inputs = read_pictures(flip);
     const FrameMetadata& geometry = inputs.geometry;
     const ZoneAxis axis = axis_of(flip, geometry.sheet);
+    check_phases(flip, order, shares, axis != zone_axis(geometry.sheet));
     Frame form{inputs.form, std::nullopt};
     set_metadata(form, geometry);
     write_drawn_rows(flip.output, FrameOfShares(inputs.pictures, order, geometry, shares, axis),

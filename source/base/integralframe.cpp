@@ -31,6 +31,7 @@ struct State
     std::string fingerprint;
     std::optional<integral::PixelSize> size;
     std::optional<integral::ViewGrid> quilt;
+    std::optional<integral::Vec2> phase;
     bool repeatable = false;
     std::optional<integral::FrameMetadata> metadata;
     Clock::time_point begun;
@@ -76,11 +77,13 @@ void IntegralFrame::Set_Scene(const std::string& file)
     state.scene = file.substr(file.find_last_of("/\\") + 1);
 }
 
-void IntegralFrame::Set_Quilt(const std::optional<integral::ViewGrid>& tiles)
+void IntegralFrame::Set_Part(const std::optional<integral::ViewGrid>& quilt,
+                             const std::optional<integral::Vec2>& phase)
 {
     State& state = The_State();
     std::lock_guard<std::mutex> lock(state.mutex);
-    state.quilt = tiles;
+    state.quilt = quilt;
+    state.phase = phase;
 }
 
 void IntegralFrame::Set_Repeatable(bool repeatable)
@@ -117,6 +120,9 @@ void IntegralFrame::Set_Expected_Camera(const integral::IntegralCamera *camera)
         if (state.quilt)
             text += "quilt " + std::to_string(state.quilt->columns) + 'x' +
                     std::to_string(state.quilt->rows);
+        if (state.phase)
+            text += "phase " + std::to_string(state.phase->x) + ',' +
+                    std::to_string(state.phase->y);
         state.fingerprint = Hash(text);
     }
 }
@@ -139,6 +145,7 @@ void IntegralFrame::Begin(const integral::IntegralCamera& camera, int draft,
     state.metadata->render->scene = state.scene;
     state.metadata->render->draft = draft;
     state.metadata->render->fit = fit;
+    state.metadata->render->phase = state.phase;
     state.metadata->render->model = camera.optics.model();
     state.metadata->render->mapping = camera.mapping;
     state.metadata->render->pixel_samples = camera.pixel_samples;

@@ -21,8 +21,10 @@ public:
     /// Sets the scene's name for the frame's metadata, at the start of parsing.
     static void Set_Scene(const std::string& file);
 
-    /// Sets the view grid of quilts (nothing: pictures are frames), at the start of parsing.
-    static void Set_Quilt(const std::optional<integral::ViewGrid>& tiles);
+    /// Sets the view grid of quilts (nothing: pictures are frames), and the part of the viewing
+    /// zone that frames show (nothing: all of it), at the start of parsing.
+    static void Set_Part(const std::optional<integral::ViewGrid>& quilt,
+                         const std::optional<integral::Vec2>& phase);
 
     /// Sets whether pictures are written without date, machine and run time, so that the same
     /// pixels give the same file; at the start of parsing, for every camera.

@@ -24,6 +24,7 @@ enum
     kIntegralAttrib_FreeWidth = 'IgFw',  ///< Width is a default, which print_size may replace
     kIntegralAttrib_FreeHeight = 'IgFh', ///< Height is a default, which print_size may replace
     kIntegralAttrib_Quilt = 'IgQu',      ///< option Integral_Quilt=: views across and up
+    kIntegralAttrib_Phase = 'IgPa',      ///< option Integral_Phase=: part of the viewing zone
     kIntegralAttrib_Metadata = 'IgMd',   ///< option Integral_Metadata=: full or repeatable
     // statistics
     kIntegralAttrib_FilmPoints = 'IgFp',        ///< number of film points
@@ -44,8 +45,8 @@ enum
                                        ///< absent: the eyes are the same
     kIntegralAttrib_SceneDistance = 'IgVs', ///< mm from the scene's eye to the sheet; only with
                                             ///< parallax or move_eye
-    kIntegralAttrib_FitWords = 'IgFt', ///< the words that the fit chose; absent: no fit
-    kIntegralAttrib_OneColour = 'IgOc',         ///< whether all pixels have the same colour
+    kIntegralAttrib_FitWords = 'IgFt',      ///< the words that the fit chose; absent: no fit
+    kIntegralAttrib_OneColour = 'IgOc',     ///< whether all pixels have the same colour
     kIntegralAttrib_Seconds = 'IgSc',  ///< seconds from the view's start to the end of rendering
     kIntegralAttrib_Error = 'IgEr',    ///< estimated RMS error in the output encoding; absent: not
                                        ///< estimated
@@ -74,6 +75,7 @@ enum
         {"Integral_Reconstruction", kIntegralAttrib_Reconstruction, kPOVMSType_UCS2String},        \
         {"Integral_Sharing", kIntegralAttrib_Sharing, kPOVMSType_UCS2String},                      \
         {"Integral_Quilt", kIntegralAttrib_Quilt, kPOVMSType_UCS2String},                          \
+        {"Integral_Phase", kIntegralAttrib_Phase, kPOVMSType_UCS2String},                          \
         {"Integral_Rows", kIntegralAttrib_Rows, kPOVMSType_UCS2String},                            \
         {"Integral_Metadata", kIntegralAttrib_Metadata, kPOVMSType_UCS2String},
 

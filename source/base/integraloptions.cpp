@@ -197,6 +197,21 @@ void Read_Rows(const std::string& text, int height, IntegralRows& rows)
     rows = {first - 1, last - 1};
 }
 
+/// Reads Integral_Phase=: the part of the viewing zone that is rendered.
+void Read_Phase(const std::string& text, IntegralRenderOptions& result)
+{
+    if (text.empty())
+        return;
+    double first = 0, last = 0;
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%lf,%lf%n", &first, &last, &end) != 2 ||
+        end != int(text.size()) || !(first >= 0 && first < last && last <= 1))
+        throw std::invalid_argument("Integral_Phase=" + text +
+                                    " is not a part of the viewing zone, from 0 at the left (or "
+                                    "below, for lenses that lie across) to 1, as in 0,0.5");
+    result.phase = integral::Vec2{first, last};
+}
+
 /// Reads Integral_Quilt=, and rejects options that apply to frames only. `height`: height of the
 /// picture, pixels; 0 if not known yet.
 void Read_Quilt(const std::string& text, POVMS_Object& options, int height,
@@ -221,6 +236,7 @@ void Read_Quilt(const std::string& text, POVMS_Object& options, int height,
                                     "+H");
     const char *const other = result.sharing == IntegralSharing::on ? "Integral_Sharing"
                               : options.Exist(kIntegralAttrib_Rows) ? "Integral_Rows"
+                              : result.phase                        ? "Integral_Phase"
                                                                     : nullptr;
     if (other)
         throw std::invalid_argument("Integral_Quilt does not work with " + std::string(other) +
@@ -296,6 +312,7 @@ IntegralRenderOptions Read_Integral_Options(POVMS_Object& options, int height)
     result.method = options.TryGetInt(kPOVAttrib_SamplingMethod, 1);
     result.antialias = options.TryGetBool(kPOVAttrib_Antialias, false) && result.method > 0;
 
+    Read_Phase(text(kIntegralAttrib_Phase), result);
     Read_Quilt(word(kIntegralAttrib_Quilt), options, height, result);
 
     result.output.working = Encoding_Of(
@@ -328,11 +345,10 @@ std::shared_ptr<const IntegralSceneOptions> Read_Integral_Scene_Options(POVMS_Ob
         result.draft = Draft_In(text(kIntegralAttrib_Draft));
         result.fit = Fit_In(Lower_Case(text(kIntegralAttrib_Fit)));
         const bool size_is_known = result.draft == 1 && !result.free_height;
-        const auto quilt = Read_Integral_Options(
-                               options, size_is_known ? options.TryGetInt(kPOVAttrib_Height, 0) : 0)
-                               .quilt;
-        IntegralFrame::Set_Quilt(quilt);
-        result.quilt = quilt.has_value();
+        const IntegralRenderOptions given = Read_Integral_Options(
+            options, size_is_known ? options.TryGetInt(kPOVAttrib_Height, 0) : 0);
+        IntegralFrame::Set_Part(given.quilt, given.phase);
+        result.quilt = given.quilt.has_value();
     }
     catch (const std::invalid_argument& problem)
     {

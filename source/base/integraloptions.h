@@ -65,6 +65,7 @@ struct IntegralRenderOptions
     std::string depth_picture;  ///< Integral_Depth_Image=; empty: none
     IntegralRows rows;          ///< Integral_Rows=
     std::optional<integral::ViewGrid> quilt; ///< Integral_Quilt=; nothing: a frame
+    std::optional<integral::Vec2> phase; ///< Integral_Phase=, from x to y; nothing: the whole zone
     bool continued = false;                  ///< +C: some pixels come from an earlier run
     bool antialias = false;                  ///< +A with a method other than 0
     int method = 1;                          ///< +AM

@@ -125,6 +125,23 @@ static void Begin(Camera& camera, const std::shared_ptr<const IntegralView>& vie
                                    camera.Integral->fit_words);
 }
 
+/// A camera that images only the pixels that a part of the viewing zone sees, from phase.x to
+/// phase.y, and those beside them.
+static std::shared_ptr<const integral::IntegralCamera> Restricted(
+    const integral::IntegralCamera& camera, const integral::Vec2& phase)
+{
+    if (camera.projection)
+        throw std::invalid_argument("Integral_Phase and projection_lens do not go together: render "
+                                    "the whole frame");
+    const integral::LensSheet& sheet = camera.optics.sheet();
+    const bool upwards = lenses_lie_across(sheet);
+    const integral::Vec2 cell = cell_extent(sheet), pixel = camera.film.pixel_pitch;
+    const auto restricted = std::make_shared<integral::IntegralCamera>(camera);
+    restricted->optics.restrict_to({phase.x, phase.y, upwards},
+                                   upwards ? pixel.y / cell.y : pixel.x / cell.x);
+    return restricted;
+}
+
 void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int height,
                          POVMS_Object& options)
 {
@@ -138,9 +155,11 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
     view->counts = std::make_shared<IntegralCounts>();
     try
     {
-        view->optics = Make_Integral_Optics(camera, width, height);
         const pov_base::IntegralRenderOptions given = pov_base::Read_Integral_Options(options,
                                                                                       height);
+        view->optics = Make_Integral_Optics(camera, width, height);
+        if (given.phase)
+            view->optics = Restricted(*view->optics, *given.phase);
         view->sampler = std::make_shared<integral::PixelSampler>(*view->optics, given.seed);
         view->clipping = pov_base::Read_Integral_Clipping(options);
         const bool projects = view->optics->projection.has_value();
