@@ -51,6 +51,13 @@ int bars_of(const PrintOptions& o, const LensSheet& sheet)
     return o.bars ? in_range("bars", *o.bars, 2, most_bars) : default_bars(sheet);
 }
 
+double distance_of(const PrintOptions& o)
+{
+    return o.distance
+               ? parse_number_between("distance", *o.distance, "mm", 10, 1e6, "10 to 1000000 mm")
+               : default_chart_distance;
+}
+
 /// The scale of --pitch-range with --pitch-step or --bars.
 PitchScale scale_of_range(const PrintOptions& o, const LensSheet& sheet)
 {
@@ -83,8 +90,8 @@ PitchScale scale_of(const PrintOptions& o, const FrameMetadata& nominal)
     set_page(o, sheet, film);
     const int bars = bars_of(o, sheet);
     const double step = o.pitch_step ? parse_number("pitch-step", *o.pitch_step, "a number")
-                                     : default_step(sheet, film);
-    const PitchScale scale = scale_about(sheet, step, bars);
+                                     : default_step(sheet, film, distance_of(o));
+    const PitchScale scale = scale_about(sheet, distance_of(o), step, bars);
     if (!(scale.step > 0 && scale.first > 0))
         throw_usage("pitch-step", o.pitch_step.value_or(""), "a small part of the pitch");
     return scale;
@@ -151,7 +158,7 @@ ChartPage chart_of(const PrintOptions& o)
     geometry.sheet.offset = {};
     const PitchScale scale = scale_of(o, geometry);
     set_page(o, geometry.sheet, geometry.film);
-    return chart_page(geometry, scale);
+    return chart_page(geometry, scale, distance_of(o));
 }
 
 int make_chart(const PrintOptions& o)

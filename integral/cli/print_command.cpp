@@ -131,6 +131,7 @@ int run(const PrintOptions& o)
                     {"pitch-step", o.pitch_step},
                     {"bars", o.bars},
                     {"page", o.page},
+                    {"distance", o.distance},
                     {"keep-index", o.keep_index},
                     {"json", o.json}},
                    for_charts);

@@ -45,7 +45,9 @@ void declare_chart(options::options_description& chart, PrintOptions& o)
         "make a pitch chart instead: bars of lines, one of which is even under the sheet");
     add(chart, "pitch-range", o.pitch_range, "A,B",
         "pitches of its first and last bar, mm on the film (default: about the sheet's, as seen "
-        "from 400 mm)");
+        "from --distance)");
+    add(chart, "distance", o.distance, "MM",
+        "from which the chart's middle bar is to be even: the viewing distance (default 400)");
     add(chart, "pitch-step", o.pitch_step, "MM",
         "from bar to bar (default: an eighth of a band along a bar)");
     add(chart, "bars", o.bars, "N",

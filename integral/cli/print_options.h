@@ -23,7 +23,7 @@ struct PrintOptions : CommonOptions {
     // Charts:
     bool chart = false, keep_index = false, json = false;
     std::optional<Arguments> even;
-    std::optional<std::string> pitch_range, pitch_step, page;
+    std::optional<std::string> pitch_range, pitch_step, page, distance;
     std::optional<int> bars;
     SheetOptions sheet;
     FilmOptions film; ///< its dpi may also be the printer's

@@ -15,7 +15,6 @@
 namespace integral {
 namespace {
 
-constexpr double default_distance = 400; // mm, from which the middle bar looks even
 constexpr int bars_lenticular = 25, bars_2d = 15;
 constexpr double neighbours = 0.125; // bands along a bar by which neighbouring bars differ
 
@@ -66,12 +65,12 @@ int default_bars(const LensSheet& sheet)
     return sheet.arrangement == Arrangement::lenticular ? bars_lenticular : bars_2d;
 }
 
-double default_step(const LensSheet& sheet, const Film& film)
+double default_step(const LensSheet& sheet, const Film& film, double distance)
 {
     PitchChart one; // a chart of a single bar in each direction
     one.sheet = sheet;
     one.film = film;
-    one.scale = {visual_pitch(sheet.pitch, sheet, default_distance), 1, 1};
+    one.scale = {visual_pitch(sheet.pitch, sheet, distance), 1, 1};
     double length = std::numeric_limits<double>::infinity();
     for (const ChartBar& bar : chart_bars(one))
         length = std::min(length, bar.upright ? bar.height * film.pixel_pitch.y
@@ -79,16 +78,16 @@ double default_step(const LensSheet& sheet, const Film& film)
     return rounded_step(neighbours * sheet.pitch * sheet.pitch / length);
 }
 
-PitchScale scale_about(const LensSheet& sheet, double step, int bars)
+PitchScale scale_about(const LensSheet& sheet, double distance, double step, int bars)
 {
-    const double middle = visual_pitch(sheet.pitch, sheet, default_distance);
+    const double middle = visual_pitch(sheet.pitch, sheet, distance);
     return {step * std::round(middle / step - (bars - 1) / 2), step, bars};
 }
 
-ChartPage chart_page(FrameMetadata geometry, const PitchScale& scale)
+ChartPage chart_page(FrameMetadata geometry, const PitchScale& scale, double distance)
 {
     geometry.sheet.offset = {};
-    geometry.aperture = aperture_for(geometry.sheet, default_distance);
+    geometry.aperture = aperture_for(geometry.sheet, distance);
     geometry.placement.reset();
     geometry.render.reset();
     geometry.encoding = {};

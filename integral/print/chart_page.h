@@ -15,14 +15,17 @@ namespace integral {
 /// Default number of bars of a chart in each direction.
 int default_bars(const LensSheet& sheet);
 
+/// Distance, mm, from which a chart's middle bar looks even, if no other is given.
+constexpr double default_chart_distance = 400;
+
 /// Default difference from bar to bar, mm: a round number that changes the number of bands along a
 /// bar by about an eighth from bar to bar. Throws as chart_bars does.
-double default_step(const LensSheet& sheet, const Film& film);
+double default_step(const LensSheet& sheet, const Film& film, double distance);
 
-/// A scale whose middle bar looks even, without bands, under the sheet from 400 mm. All its pitches
-/// are whole multiples of the step, so that they are round numbers. `first` may be 0 or less if the
-/// step is too large.
-PitchScale scale_about(const LensSheet& sheet, double step, int bars);
+/// A scale whose middle bar looks even, without bands, under the sheet from `distance` mm. All its
+/// pitches are whole multiples of the step, so that they are round numbers. `first` may be 0 or
+/// less if the step is too large.
+PitchScale scale_about(const LensSheet& sheet, double distance, double step, int bars);
 
 /// A chart for printing.
 struct ChartPage {
@@ -31,8 +34,8 @@ struct ChartPage {
 };
 
 /// Draws the chart of a geometry's sheet on a page of its film. In the chart's geometry, the
-/// aperture is for 400 mm, and the sheet has no offset. Throws as pitch_chart does.
-ChartPage chart_page(FrameMetadata geometry, const PitchScale& scale);
+/// aperture is for `distance`, and the sheet has no offset. Throws as pitch_chart does.
+ChartPage chart_page(FrameMetadata geometry, const PitchScale& scale, double distance);
 
 /// Writes a chart to a .pdf, on a page of its own size, or as a picture by write_frame.
 /// Throws OutputError.
