@@ -8,12 +8,15 @@ layout of the HCI 4D Light Field Benchmark (Honauer and others 2016):
 
 FOLDER then has input_Cam000.png (the view from the upper left) to input_Cam080.png,
 gt_disp_lowres.pfm and gt_depth_lowres.pfm of the middle view, the same with _CamNNN of each view,
-and parameters.cfg. The scene may have any perspective camera; the middle view is its picture. A unit
-of the scene counts as a metre. Other options, such as +A0.3 or +L, are the renderer's.
+and parameters.cfg. The scene has a perspective camera; the middle view is its picture, without focal
+blur, if the camera has the shape of --size. A unit of the scene counts as a metre. Other options, such
+as +A0.3 or +L, are the renderer's.
 """
 import argparse
 import configparser
 import datetime
+import importlib.util
+import math
 import os
 import pathlib
 import subprocess
@@ -36,31 +39,67 @@ def pair(text):
     return tuple(int(number) for number in numbers)
 
 
+def odd_pair(text):
+    if any(number % 2 == 0 for number in pair(text)):
+        raise argparse.ArgumentTypeError(f"{text}: odd numbers are expected, so that there is a middle "
+                                         "view")
+    return pair(text)
+
+
+def length(text):
+    if not (0 < float(text) < math.inf):
+        raise argparse.ArgumentTypeError(f"{text}: a number greater than 0 is expected")
+    return float(text)
+
+
+def fail(message):
+    sys.exit(f"data_set.py: {message}")
+
+
 def options():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0], allow_abbrev=False)
     parser.add_argument("scene")
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--views", type=pair, default=(9, 9), metavar="CxR",
+    parser.add_argument("--views", type=odd_pair, default=(9, 9), metavar="CxR",
                         help="views across and up (default: 9x9)")
     parser.add_argument("--size", type=pair, default=(512, 512), metavar="WxH",
                         help="pixels of a view (default: 512x512)")
-    parser.add_argument("--disparity", type=float, default=1.5, metavar="PIXELS",
+    parser.add_argument("--disparity", type=length, default=1.5, metavar="PIXELS",
                         help="greatest disparity, from a view to the next, of nine tenths of the "
                         "scene's depths (default: 1.5)")
     parser.add_argument("--hdf5", metavar="FILE.h5", help="write the arrays to this file, too")
     parser.add_argument("--renderer", default="povray-integral", metavar="PROGRAM")
-    return parser.parse_known_args()
+    given, words = parser.parse_known_args()
+    if given.hdf5 and not importlib.util.find_spec("h5py"):
+        fail("--hdf5 needs the package python3-h5py")
+    if given.folder.exists() and (not given.folder.is_dir() or any(given.folder.iterdir())):
+        fail(f"{given.folder} is not an empty folder; give a new one")
+    return given, words
 
 
-def render(renderer, scene, camera, size, output, *words):
-    """Renders SCENE to OUTPUT.png and its depths to OUTPUT.exr; returns the depths."""
-    said = subprocess.run(
-        [renderer, f"+I{scene}", f"+O{output}.png", f"+W{size[0]}", f"+H{size[1]}", "-D",
-         f"Integral_Camera={camera}", f"Integral_Depth_Image={output}.exr", *words],
-        stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    if said.returncode:
-        sys.exit("\n".join([line for line in said.stderr.splitlines() if line.strip()][-5:]))
-    return integral.read_depths(f"{output}.exr")
+def warnings_in(text):
+    """The lines of the renderer's warnings, which it folds: later lines of one begin with a blank."""
+    lines, inside = [], False
+    for line in text.splitlines():
+        inside = "Warning: " in line or inside and line.startswith(" ") and line.strip() != ""
+        if inside:
+            lines.append(line)
+    return "\n".join(lines)
+
+
+def render(renderer, scene, camera, size, output, words):
+    """Renders SCENE to OUTPUT.png and its depths to OUTPUT.exr. Returns the depths, and the warnings."""
+    command = [renderer, f"+I{scene}", *words, f"+O{output}.png", f"+W{size[0]}", f"+H{size[1]}",
+               "+FN8", "-D", "Integral_Draft=1", f"Integral_Camera={camera}",
+               f"Integral_Depth_Image={output}.exr"]
+    try:
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True)
+    except OSError as error:
+        fail(f"{renderer}: {error.strerror}; give povray-integral's path by --renderer")
+    if done.returncode:
+        sys.exit("\n".join([line for line in done.stderr.splitlines() if line.strip()][-5:]))
+    return integral.read_depths(f"{output}.exr"), warnings_in(done.stderr)
 
 
 def placed(distances, disparity, width):
@@ -68,10 +107,13 @@ def placed(distances, disparity, width):
     of the eyes divided by a pixel's width in that plane."""
     near, far = np.percentile(distances, [5, 95], method="lower")
     if not np.isfinite(near):
-        sys.exit("data_set.py: the camera sees too few surfaces for a depth")
+        fail("the camera sees too few surfaces for a depth")
     plane = 2 / (1 / near + 1 / far)
-    ratio = disparity / max(plane / near - 1, 1e-9)
-    return plane, min(ratio, FARTHEST_EYES * width)
+    step = plane / near - 1
+    if step * FARTHEST_EYES * width < disparity:
+        print(f"the scene is too flat for a disparity of {disparity:g}: it gets "
+              f"{step * FARTHEST_EYES * width:.3g} pixels")
+    return plane, min(disparity / max(step, 1e-9), FARTHEST_EYES * width)
 
 
 def tiles(quilt, views):
@@ -120,10 +162,7 @@ def write_pfm(path, values):
 
 
 def write_hdf5(path, pictures, disparities, depths, attributes):
-    try:
-        import h5py
-    except ImportError:
-        sys.exit("data_set.py: --hdf5 needs the package python3-h5py")
+    import h5py
     with h5py.File(path, "w") as file:
         for name, values in (("LF", pictures), ("disparity", disparities), ("depth_m", depths)):
             file.create_dataset(name, data=values, compression="gzip")
@@ -131,27 +170,38 @@ def write_hdf5(path, pictures, disparities, depths, attributes):
             file.attrs.update({name: value for name, value in section.items()})
 
 
-def main():
+def check(metadata):
+    if "parallax" in metadata or "projection" in metadata or metadata["render"].get("pseudoscopic"):
+        fail("the scene's camera is an integral one with parallax, a projection lens or exchanged "
+             "depth; take those words out")
+
+
+def make_data_set():
     given, words = options()
     views, size = given.views, given.size
     whole = views[0] * size[0], views[1] * size[1]
     sheet = "lens_sheet { square pitch 1 thickness 3 ior 1.5 }"
     with tempfile.TemporaryDirectory() as scratch:
         # The scene's own eye measures distances, wherever the sheet is.
-        seen = render(given.renderer, given.scene,
-                      f"{sheet} film {{ pixel_pitch {WINDOW_MM / 100} }}",
-                      (100, max(1, round(100 * size[1] / size[0]))), os.path.join(scratch, "look"),
-                      *words, "+Q0", "-A")
-        plane, ratio = placed(seen.eye_distances, given.disparity, size[0])
+        look, _ = render(given.renderer, given.scene,
+                         f"{sheet} film {{ pixel_pitch {WINDOW_MM / 100} }}",
+                         (100, max(1, round(100 * size[1] / size[0]))),
+                         os.path.join(scratch, "look"), [*words, "+Q0", "-A"])
+        check(look.metadata)
+        plane, ratio = placed(look.eye_distances, given.disparity, size[0])
+        given.folder.mkdir(parents=True, exist_ok=True)
         step = ratio * WINDOW_MM / size[0]
         camera = (f"{sheet} sheet_distance {plane!r} capture_aperture "
                   f"<{views[0] * step!r}, {views[1] * step!r}> film {{ pixel_pitch "
                   f"<{WINDOW_MM / whole[0]!r}, {WINDOW_MM / size[0] / views[1]!r}> }}")
         quilt = os.path.join(scratch, "quilt_qs{}x{}a{:.5g}".format(*views, size[0] / size[1]))
         print(f"rendering {views[0] * views[1]} views of {size[0]} x {size[1]} pixels", flush=True)
-        truth = render(given.renderer, given.scene, camera, whole, quilt, *words,
-                       f"Integral_Quilt={views[0]}x{views[1]}")
-        pictures = tiles(integral.read(quilt + ".png").image, views)[..., :3]
+        truth, warnings = render(given.renderer, given.scene, camera, whole, quilt,
+                                 [*words, f"Integral_Quilt={views[0]}x{views[1]}"])
+        if warnings:
+            print(warnings, file=sys.stderr)
+        frame = integral.read(quilt + ".png")
+        pictures = tiles(frame.image, views)[..., :3]
     distance = truth.metadata["aperture"]["distance_mm"]
     far = distance + tiles(truth.depth_mm, views)[..., 0].astype(float)
     depths = (far * truth.metadata["camera"]["units_per_mm"]).astype(np.float32)
@@ -159,10 +209,9 @@ def main():
     surfaces = np.where(np.isfinite(far), disparities, np.nan)
     config = parameters(given.scene, truth.metadata, views, size, ratio, surfaces)
 
-    given.folder.mkdir(parents=True, exist_ok=True)
     for number in range(views[0] * views[1]):
         at = divmod(number, views[0])
-        integral.Frame(pictures[at]).write(given.folder / f"input_Cam{number:03}.png")
+        integral.Frame(pictures[at], encoding=frame.encoding).write(given.folder / f"input_Cam{number:03}.png")
         write_pfm(given.folder / f"gt_disp_lowres_Cam{number:03}.pfm", disparities[at])
         write_pfm(given.folder / f"gt_depth_lowres_Cam{number:03}.pfm", depths[at])
     middle = views[1] // 2, views[0] // 2
@@ -176,6 +225,13 @@ def main():
         write_hdf5(given.hdf5, pictures, disparities, depths, config)
     print(f"{given.folder}: disparities of surfaces from {config['meta']['disp_min']:.3f} to "
           f"{config['meta']['disp_max']:.3f} pixels")
+
+
+def main():
+    try:
+        make_data_set()
+    except (ValueError, OSError) as error:
+        fail(error)
 
 
 if __name__ == "__main__":

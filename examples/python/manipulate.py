@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Changes finished frames as light fields (thesis 5.1, 6.1):
 
-    manipulate.py balance FRAME OUTPUT --patch X,Y,WIDTH,HEIGHT
-    manipulate.py paste FRAME DEPTH.exr OUTPUT --depths NEAR,FAR --by COLUMNS,ROWS
-    manipulate.py plane FRAME OUTPUT --behind MM
+    manipulate.py balance FRAME OUTPUT --patch=X,Y,WIDTH,HEIGHT
+    manipulate.py paste FRAME DEPTH.exr OUTPUT --depths=NEAR,FAR --by=COLUMNS,ROWS
+    manipulate.py plane FRAME OUTPUT --behind=MM
 
 balance makes a patch of film pixels grey, by a factor for each colour in linear light. paste copies
-what lies between two depths (mm behind the sheet, negative in front) to lenses farther right and
-down, at its own depth and hidden by what is nearer. plane moves the sheet's plane through the
-picture: what was MM behind the sheet comes to lie on it. The last two need lenses of whole pixels.
+everything between two depths (mm behind the sheet, negative in front) some lenses to the right and
+down; the copy has the same depth, and nearer things hide it. plane moves the sheet to another depth of
+the picture, MM behind its old place. paste and plane need lenses that cover whole pixels.
 """
 import argparse
 
@@ -19,12 +19,21 @@ import integral
 
 
 def numbers(count, kind=float):
-    def parse(text):
-        values = [kind(part) for part in text.split(",")]
-        if len(values) != count:
-            raise argparse.ArgumentTypeError(f"{text}: {count} numbers are expected")
+    """A reader of so many numbers between commas."""
+    def read(text):
+        try:
+            values = [kind(part) for part in text.split(",")]
+        except ValueError:
+            values = []
+        if len(values) != count or not np.isfinite(values).all():
+            what = "whole numbers" if kind is int else "numbers"
+            raise argparse.ArgumentTypeError(f"{text}: {count} {what} are expected")
         return values
-    return parse
+    return read
+
+
+def fail(message):
+    raise SystemExit(f"manipulate.py: {message}")
 
 
 def like(frame, linear):
@@ -36,15 +45,17 @@ def light_field(frame):
     """The frame's light field as a view: what is written to it is written to the frame."""
     field = frame.lightfield()
     if not field.is_view:
-        raise SystemExit("manipulate.py: the frame's lenses do not cover whole pixels")
+        fail("the frame's lenses do not cover whole pixels; render it with such a film")
     return field
 
 
 def balance(frame, x, y, width, height):
     linear = frame.linear()
+    if min(x, y, width - 1, height - 1) < 0 or y + height > len(linear) or x + width > len(linear[0]):
+        fail(f"the patch is not inside the frame of {len(linear[0])} x {len(linear)} pixels")
     patch = linear[y:y + height, x:x + width, :3]
-    if patch.size == 0 or not (patch.mean(axis=(0, 1)) > 0).all():
-        raise SystemExit("manipulate.py: the patch has no light in one of the colours")
+    if not (patch.mean(axis=(0, 1)) > 0).all():
+        fail("the patch has no light in one of the colours; choose another one")
     means = patch.mean(axis=(0, 1))
     linear[..., :3] *= means.mean() / means
     return like(frame, linear)
@@ -52,11 +63,17 @@ def balance(frame, x, y, width, height):
 
 def paste(frame, depths, near, far, columns, rows):
     linear = frame.linear()
+    if depths.shape != linear.shape[:2] or near > far:
+        fail("the depths are of another frame; give its own" if near <= far else
+             f"--depths={near:g},{far:g}: the nearer depth comes first")
     depths = np.where(np.isnan(depths), np.inf, depths)
     moved = like(frame, linear)
     old = light_field(like(frame, linear.copy())).samples
     new = light_field(moved).samples
     depth = light_field(like(frame, np.repeat(depths[..., None], 3, axis=2))).samples[..., :1]
+    lenses = depth.shape[3], depth.shape[2]
+    if abs(columns) >= lenses[0] or abs(rows) >= lenses[1]:
+        fail(f"--by={columns},{rows}: the frame has {lenses[0]} x {lenses[1]} lenses")
 
     def part(array, by):  # the lenses that have a neighbour `by` lenses farther right and down
         (s, t) = by
@@ -72,8 +89,8 @@ def paste(frame, depths, near, far, columns, rows):
 
 
 def plane(frame, behind):
-    """A direction's ray meets the plane `behind` the sheet beside the place where it left its lens:
-    there the light of the lenses around is interpolated."""
+    """Each lens of the new sheet shows, in each direction, the light that crossed the old sheet on
+    that ray: interpolated between lenses."""
     linear = frame.linear()
     moved = like(frame, linear)
     old = light_field(like(frame, linear.copy()))
@@ -112,16 +129,21 @@ def main():
     one.add_argument("--patch", type=numbers(4, int), required=True, metavar="X,Y,W,H")
     two.add_argument("--depths", type=numbers(2), required=True, metavar="NEAR,FAR")
     two.add_argument("--by", type=numbers(2, int), required=True, metavar="COLUMNS,ROWS")
-    three.add_argument("--behind", type=float, required=True, metavar="MM")
+    three.add_argument("--behind", type=numbers(1), required=True, metavar="MM")
     given = parser.parse_args()
-    frame = integral.read(given.frame)
-    if given.command == "balance":
-        made = balance(frame, *given.patch)
-    elif given.command == "paste":
-        made = paste(frame, integral.read_depths(given.depth).depth_mm, *given.depths, *given.by)
-    else:
-        made = plane(frame, given.behind)
-    made.write(given.output)
+    try:
+        frame = integral.read(given.frame)
+        if frame.metadata is None:
+            fail(f"{given.frame} has no geometry; give a frame of povray-integral")
+        if given.command == "balance":
+            made = balance(frame, *given.patch)
+        elif given.command == "paste":
+            made = paste(frame, integral.read_depths(given.depth).depth_mm, *given.depths, *given.by)
+        else:
+            made = plane(frame, *given.behind)
+        made.write(given.output)
+    except (ValueError, OSError) as error:
+        fail(error)
 
 
 if __name__ == "__main__":

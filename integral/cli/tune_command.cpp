@@ -55,7 +55,7 @@ int run(const TuneOptions& o)
     const std::string& scene = o.inputs[0];
     const Arguments words(o.inputs.begin() + 1, o.inputs.end());
     if (o.csv && o.json)
-        throw UsageError("--csv and --json ask for different things; give one of them");
+        throw UsageError("--csv and --json are two forms of the output; give one of them");
     if (o.plot)
         plot_format(*o.plot);
     check_outputs({o.plot, o.output});

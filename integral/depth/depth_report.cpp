@@ -34,9 +34,10 @@ std::vector<float> read_truth(const std::string& path, const DepthInput& input)
     if (extension == "exr") {
         const DepthFrame depths = read_depths(path);
         if (input.frame.has_value() == depths.metadata.quilt.has_value())
-            throw std::invalid_argument(input.frame ? "it is a quilt's, and the input is a frame"
-                                                    : "it is a frame's, and the input is views; "
-                                                      "give the depths of a quilt, or a .pfm");
+            throw std::invalid_argument(
+                input.frame ? "it is a quilt's, and the input is a frame; give the frame's own"
+                            : "it is a frame's, and the input is views; "
+                              "give the depths of a quilt, or a .pfm");
         return input.frame ? true_disparities(input.views, *input.frame, depths)
                            : true_disparities(input.views, depths);
     }

@@ -100,7 +100,7 @@ std::vector<float> true_disparities(const ViewSet& views, const DepthFrame& quil
                                     size_text(views.upright_width(), views.upright_height()));
     if (!views.scale)
         throw std::invalid_argument(
-            "it has depths in mm, and the views do not say where their eyes were; give --eyes");
+            "it has depths in mm, and the eyes of the views are unknown; give --eyes");
     const EyeGrid& eyes = *quilt.metadata.quilt->eyes;
     const auto from_middle = [](int count) { return count / 2 - 0.5 * (count - 1); };
     const Vec2 eye{from_middle(grid.columns) * eyes.zone.x / grid.columns,
@@ -108,7 +108,8 @@ std::vector<float> true_disparities(const ViewSet& views, const DepthFrame& quil
     const double distance = views.scale->distance;
     if (length(eye - views.eye) > 1e-3 * distance ||
         std::fabs(eyes.distance - distance) > 1e-3 * distance)
-        throw std::invalid_argument("its middle view is of an eye in another place");
+        throw std::invalid_argument(
+            "its middle view is of an eye in another place; give the depths of the same quilt");
     const int middle = grid.rows / 2 * grid.columns + grid.columns / 2,
               left = middle % tiles.columns * width,
               top = film.height - (middle / tiles.columns + 1) * height;

@@ -43,9 +43,9 @@ std::vector<float> depths_seen(const ViewSet& views, const FrameMetadata& frame,
 std::vector<float> true_disparities(const ViewSet& views, const FrameMetadata& frame,
                                     const DepthFrame& depths);
 
-/// The same from the depths of a quilt (Integral_Quilt with Integral_Depth_Image): those of the
-/// view in its middle. Throws std::invalid_argument if its views have another size or its middle
-/// eye another place, or the set's scale is not known.
+/// The true disparities of a set's middle view from a quilt of depths (Integral_Quilt with
+/// Integral_Depth_Image), which contains them. Throws std::invalid_argument if its views have
+/// another size or its middle eye another place, or the set's scale is not known.
 std::vector<float> true_disparities(const ViewSet& views, const DepthFrame& quilt);
 
 /// Compares pixels that are finite in both maps and at least `border` pixels from the maps' sides.

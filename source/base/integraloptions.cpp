@@ -209,6 +209,9 @@ void Read_Phase(const std::string& text, IntegralRenderOptions& result)
         throw std::invalid_argument("Integral_Phase=" + text +
                                     " is not a part of the viewing zone, from 0 at the left (or "
                                     "below, for lenses that lie across) to 1, as in 0,0.5");
+    if (result.antialias && !result.light_field)
+        throw std::invalid_argument("Integral_Phase with +A does not work with "
+                                    "Integral_Antialiasing=pixels; leave one of them out");
     result.phase = integral::Vec2{first, last};
 }
 

@@ -27,6 +27,7 @@ def test_lines_of_an_epipolar_image_lean_with_depth():
 def test_a_balanced_patch_is_grey_and_as_bright_as_before():
     frame = integral.read("squares.png")
     raises(SystemExit, "no light in one of the colours", manipulate.balance, frame, 10, 20, 30, 25)
+    raises(SystemExit, "not inside the frame of 120 x 90", manipulate.balance, frame, 100, 20, 30, 25)
     linear = frame.linear() + np.float32([0, 0, 0.1])        # the wall has no blue
     balanced = manipulate.balance(manipulate.like(frame, linear), 10, 20, 30, 25).linear()
     before = linear[20:45, 10:40].mean(axis=(0, 1))
@@ -57,6 +58,9 @@ def test_a_part_is_pasted_at_its_depth_behind_what_is_nearer():
     expected[5 * lens:7 * lens, 6 * lens:8 * lens] = expected[2 * lens:4 * lens, 3 * lens:5 * lens]
     expected[5 * lens:6 * lens, 6 * lens:7 * lens] = frame.linear()[5 * lens:6 * lens, 6 * lens:7 * lens]
     near(pasted, expected, 1e-6)
+    raises(SystemExit, "the nearer depth comes first", manipulate.paste, frame, depths, 9, 1, 1, 1)
+    raises(SystemExit, "the frame has 11 x 9 lenses", manipulate.paste, frame, depths, 0, 1, 12, 0)
+    raises(SystemExit, "of another frame", manipulate.paste, frame, depths[1:], 0, 1, 1, 0)
     back = manipulate.paste(frame, depths, 0, 10, -3, -2).linear()
     assert np.abs(back - frame.linear())[:2 * lens, :2 * lens].max() > 1e-3
 

@@ -21,6 +21,7 @@ void PrintIntegralHelp()
         "    Integral_Fit=on|off|F            fit the scene's depth to F depth budgets (on: 2)\n"
         "    Integral_Target_Error=E          find the settings for an error (0.02), render with them;\n"
         "                                     on the command line only\n"
+        "    Integral_Phase=A,B               only what the part A to B of the zone sees, 0 to 1\n"
         "    Integral_Quilt=CxR               views of C x R eyes in place of the frame\n"
         "    Integral_Audit=on|off|PERCENT    estimate the frame's error, by so many of its pixels\n"
         "    Integral_Error_Image=FILE        write a picture of the local error\n"

@@ -18,6 +18,7 @@
 #include "base/povmscpp.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 // this must be the last file included
@@ -131,14 +132,25 @@ static std::shared_ptr<const integral::IntegralCamera> Restricted(
     const integral::IntegralCamera& camera, const integral::Vec2& phase)
 {
     if (camera.projection)
-        throw std::invalid_argument("Integral_Phase and projection_lens do not go together: render "
-                                    "the whole frame");
+        throw std::invalid_argument("Integral_Phase does not work with projection_lens; render the "
+                                    "whole frame");
+    if (camera.mapping != integral::LensMapping::automatic &&
+        camera.mapping != integral::LensMapping::closest)
+        throw std::invalid_argument("Integral_Phase works with lens_mapping auto and closest only; "
+                                    "give one of these, or render the whole frame");
     const integral::LensSheet& sheet = camera.optics.sheet();
     const bool upwards = lenses_lie_across(sheet);
     const integral::Vec2 cell = cell_extent(sheet), pixel = camera.film.pixel_pitch;
+    // A pixel's extent across the lenses, as a part of a lens: samples are up to half of it away from
+    // the pixel's centre, and a pixel off the axis covers a somewhat larger part of the zone.
+    const integral::Vec2 across = camera.optics.lattice().across();
+    const double margin = sheet.arrangement == integral::Arrangement::lenticular
+                              ? (std::fabs(pixel.x * across.x) + std::fabs(pixel.y * across.y)) /
+                                    sheet.pitch
+                          : upwards ? pixel.y / cell.y
+                                    : pixel.x / cell.x;
     const auto restricted = std::make_shared<integral::IntegralCamera>(camera);
-    restricted->optics.restrict_to({phase.x, phase.y, upwards},
-                                   upwards ? pixel.y / cell.y : pixel.x / cell.x);
+    restricted->optics.restrict_to({phase.x, phase.y, upwards}, 1.25 * margin);
     return restricted;
 }
 
