@@ -17,7 +17,7 @@ constexpr int most_pictures = 256;
 
 struct FlipOptions : CommonOptions {
     PicturesFrameOptions frame;
-    std::optional<std::string> shares, transition, page, output;
+    std::optional<std::string> shares, transition, deghost, page, output;
     bool loop = false, there_and_back = false, reverse = false, upwards = false, json = false;
     FitOptions fit;
     ThreadOptions threads;
@@ -40,6 +40,9 @@ void declare(options::options_description& all, FlipOptions& o)
     add(all, "upwards", o.upwards,
         "square and hexagonal lenses: pictures from below upwards, in place of from left to right; "
         "lenticular ones show what their slant lets them");
+    add(all, "deghost", o.deghost, "PERCENT",
+        "subtract the light that neighbouring pictures add to each other by the lenses' blur and "
+        "the printed dots; so much of the contrast, as 10, may be lost");
     add(all, "page", o.page, "FILE.html",
         "a page of what each eye sees, where, and how much of other pictures");
     add(all, "json", o.json, "print the same as JSON");
@@ -78,6 +81,10 @@ PictureFlip flip_of(const FlipOptions& o)
         flip.transition = parse_number_between("transition", *o.transition, "per cent of a share",
                                                0, 100, "0 to 100") /
                           100;
+    if (o.deghost)
+        flip.deghost = parse_number_between("deghost", *o.deghost, "per cent of the contrast", 0,
+                                            50, "0 to 50") /
+                       100;
     flip.loop = o.loop;
     flip.there_and_back = o.there_and_back;
     flip.reverse = o.reverse;

@@ -6,6 +6,7 @@
 #include "integral/io/frame_rows.h"
 #include "integral/io/image_file.h"
 #include "integral/replay/arrange.h"
+#include "integral/views/deghost.h"
 #include "integral/views/made_frame.h"
 
 #include <algorithm>
@@ -115,36 +116,51 @@ ZoneShares shares_of(const PictureFlip& flip, const std::vector<int>& order)
     return ZoneShares(division);
 }
 
+/// The part of the zone that shows a picture, with transitions: from x to y. If it has several
+/// shares, the part contains them all.
+Vec2 part_of_picture(int picture, const std::vector<int>& order, const ZoneShares& shares)
+{
+    Vec2 part{1, 0};
+    for (int at = 0; at < shares.count(); ++at)
+        if (order[at] == picture)
+            part = {std::min(part.x, shares.border(at) - shares.half_transition(at)),
+                    std::max(part.y, shares.border(at + 1) + shares.half_transition(at + 1))};
+    return part;
+}
+
 /// Throws std::invalid_argument if a frame was rendered for a part of the zone (Integral_Phase)
-/// that does not contain its share.
+/// that does not contain its share. `upwards`: the flip divides the zone upwards, the frames
+/// sideways.
 void check_phases(const PictureFlip& flip, const std::vector<int>& order, const ZoneShares& shares,
                   bool upwards)
 {
+    constexpr double rounding = 1e-3; // less than the pixel by which a part is wider than requested
     for (std::size_t k = 0; k < flip.pictures.size(); ++k) {
         const FrameReader file(flip.pictures[k]);
         const auto& metadata = file.frame().metadata;
         if (!metadata || !metadata->render || !metadata->render->phase)
             continue;
-        const Vec2 phase = *metadata->render->phase;
-        for (int at = 0; at < shares.count(); ++at) {
-            if (order[at] != int(k))
-                continue;
-            const double first = shares.border(at) - shares.half_transition(at),
-                         last = shares.border(at + 1) + shares.half_transition(at + 1);
-            constexpr double rounding = 1e-6;
-            if (!upwards && phase.x <= first + rounding && phase.y >= last - rounding)
-                continue;
-            const auto text = [](double from, double to) {
-                return with_digits(from, 4) + "," + with_digits(to, 4);
-            };
-            const bool whole = upwards || first < -rounding || last > 1 + rounding;
-            throw std::invalid_argument(
-                flip.pictures[k] + ": it shows the part " + text(phase.x, phase.y) +
-                " of the viewing zone, and its share with the transitions is " +
-                (whole
-                     ? std::string("another one; render it without Integral_Phase")
-                     : text(first, last) + "; render it with Integral_Phase=" + text(first, last)));
-        }
+        const Vec2 phase = *metadata->render->phase, part = part_of_picture(int(k), order, shares);
+        if (!upwards && phase.x <= part.x + rounding && phase.y >= part.y - rounding)
+            continue;
+        const auto text = [](Vec2 from_to) {
+            return with_digits(from_to.x, 3) + "," + with_digits(from_to.y, 3);
+        };
+        const std::string shown = flip.pictures[k] + ": it was rendered for the part " +
+                                  text(phase) + " of the viewing zone";
+        if (upwards)
+            throw std::invalid_argument(shown + " from left to right, and --upwards divides the "
+                                                "zone upwards; render it without Integral_Phase");
+        if (part.x < -rounding || part.y > 1 + rounding)
+            throw std::invalid_argument(shown + ", and with --loop its share is at both edges; "
+                                                "render it without Integral_Phase");
+        // The advice is rounded outwards.
+        const auto rounded = [](double place, double up) {
+            return std::clamp(std::floor(place * 1000 + up) / 1000, 0.0, 1.0);
+        };
+        const Vec2 needed{rounded(part.x, 1e-6), rounded(part.y, 1 - 1e-6)};
+        throw std::invalid_argument(shown + ", and its share is " + text(needed) +
+                                    "; render it with Integral_Phase=" + text(needed));
     }
 }
 
@@ -161,6 +177,36 @@ ZoneAxis axis_of(const PictureFlip& flip, const LensSheet& sheet)
     return ZoneAxis::upwards;
 }
 
+/// A frame without ghosts, as write_drawn_rows takes it.
+class DeghostedFrame {
+public:
+    DeghostedFrame(const FrameOfShares& frame, Deghosting deghosting, const Film& film)
+        : frame_(frame), deghosting_(std::move(deghosting)), film_(film)
+    {
+    }
+
+    bool draw(int first, Image& band, int threads, const Progress& progress) const
+    {
+        const int above = std::min(deghosting_.reach(), first),
+                  below = std::min(deghosting_.reach(), film_.height - first - band.height);
+        Image light = make_image<float>(band.width, above + band.height + below, band.channels,
+                                        Encoding{Encoding::Kind::linear});
+        if (!frame_.draw(first - above, light, threads, progress))
+            return false;
+        deghosting_.apply(light, threads);
+        const LinearReader linear(light);
+        return for_each_row(band.height, threads, [&](int y) {
+            for (int x = 0; x < band.width; ++x)
+                store_linear(band, x, y, linear(x, above + y));
+        });
+    }
+
+private:
+    const FrameOfShares& frame_;
+    Deghosting deghosting_;
+    Film film_;
+};
+
 } // namespace
 
 ZoneView write_flip(const PictureFlip& flip, const Progress& progress)
@@ -173,9 +219,16 @@ ZoneView write_flip(const PictureFlip& flip, const Progress& progress)
     check_phases(flip, order, shares, axis != zone_axis(geometry.sheet));
     Frame form{inputs.form, std::nullopt};
     set_metadata(form, geometry);
-    write_drawn_rows(flip.output, FrameOfShares(inputs.pictures, order, geometry, shares, axis),
-                     form, flip.threads, progress);
-    return zone_view(geometry, shares, order, int(flip.pictures.size()), axis, flip.threads);
+    const FrameOfShares frame(inputs.pictures, order, geometry, shares, axis);
+    if (flip.deghost > 0)
+        write_drawn_rows(
+            flip.output,
+            DeghostedFrame(frame, Deghosting(geometry, flip.deghost, axis), geometry.film), form,
+            flip.threads, progress);
+    else
+        write_drawn_rows(flip.output, frame, form, flip.threads, progress);
+    return zone_view(geometry, shares, order, int(flip.pictures.size()), axis, flip.deghost,
+                     flip.threads);
 }
 
 } // namespace integral

@@ -27,6 +27,7 @@ struct PictureFlip {
     bool there_and_back = false; ///< after the last picture the order goes back to the second
     bool reverse = false;        ///< the first picture is at the right, or above
     bool upwards = false;        ///< divides the zone upwards, for lenses that show both ways
+    double deghost = 0;          ///< contrast that Deghosting may lose, 0 to 1; 0: no Deghosting
     Fit fit = Fit::contain;
     std::optional<int> bits; ///< 8, 16 or 32; nothing: the most bits of any picture
     int threads = 0;         ///< 0: one per core

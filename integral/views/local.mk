@@ -6,6 +6,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/views/combine.h \
   integral/views/covered_means.cpp \
   integral/views/covered_means.h \
+  integral/views/deghost.cpp \
+  integral/views/deghost.h \
   integral/views/flip.cpp \
   integral/views/flip.h \
   integral/views/frame_of_layers.cpp \

@@ -2,6 +2,7 @@
 #include "integral/views/zone_view.h"
 
 #include "integral/replay/arrange.h"
+#include "integral/views/deghost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +33,8 @@ Film strip_of(const FrameMetadata& geometry, ZoneAxis axis)
 class Strip {
 public:
     Strip(const FrameMetadata& geometry, const ZoneShares& shares, const std::vector<int>& order,
-          int count, ZoneAxis axis, int first, int threads)
-        : threads_(threads)
+          int count, ZoneAxis axis, double contrast, int first, int threads)
+        : contrast_(contrast), threads_(threads)
     {
         std::vector<SharedPicture> labels;
         for (int k = 0; k < count; ++k) {
@@ -50,12 +51,15 @@ public:
         frame_.image = make_image<float>(part.film.width, part.film.height, 3, part.encoding);
         FrameOfShares(labels, order, part, shares, axis).draw(0, frame_.image, threads, {});
         set_metadata(frame_, part);
+        if (contrast > 0)
+            Deghosting(part, contrast, axis).apply(frame_.image, threads);
         const bool is_wide = part.film.width > part.film.height;
         view_.width = std::min(part.film.width, is_wide ? 200 : 4);
         view_.height = std::min(part.film.height, is_wide ? 4 : 200);
         set_as_seen(view_, part);
     }
 
+    /// The mean light that an eye sees, without what Deghosting adds where there is none.
     Colour seen_from(Eye eye) const
     {
         View view = view_;
@@ -67,12 +71,17 @@ public:
                 const Colour c = stored_pixel(picture, x, y);
                 sum = {sum.r + c.r, sum.g + c.g, sum.b + c.b, 0};
             }
-        return sum;
+        const float pixels = float(picture.width) * picture.height;
+        const auto own = [&](float light) {
+            return std::max(0.0f, light / pixels - float(contrast_ / 2));
+        };
+        return {own(sum.r), own(sum.g), own(sum.b), 0};
     }
 
 private:
     Frame frame_;
     View view_; ///< without its eye
+    double contrast_;
     int threads_;
 };
 
@@ -90,10 +99,21 @@ double blur_in_zone(const FrameMetadata& geometry, double zone, ZoneAxis axis)
                              along(pixel, axis) * scale / std::sqrt(12));
 }
 
+/// The greatest share of other pictures at eyes that should see one alone.
+double greatest_other(const std::vector<EyeShares>& eyes)
+{
+    double greatest = 0;
+    for (const EyeShares& eye : eyes)
+        if (eye.picture)
+            greatest = std::max(greatest, 1 - eye.shares[*eye.picture]);
+    return greatest;
+}
+
 } // namespace
 
 ZoneView zone_view(const FrameMetadata& geometry, const ZoneShares& shares,
-                   const std::vector<int>& order, int count, ZoneAxis axis, int threads)
+                   const std::vector<int>& order, int count, ZoneAxis axis, double contrast,
+                   int threads)
 {
     ZoneView view;
     view.axis = axis;
@@ -120,26 +140,33 @@ ZoneView zone_view(const FrameMetadata& geometry, const ZoneShares& shares,
                 eye.picture = part.picture;
         view.eyes.push_back(eye);
     }
-    for (int first = 0; first < count; first += 3) {
-        const Strip strip(geometry, shares, order, count, axis, first, threads);
-        for (EyeShares& eye : view.eyes) {
-            Vec2 at{0, 0};
-            along(at, axis) = eye.place;
-            const Colour seen = strip.seen_from({at.x, at.y, view.distance});
-            const double parts[3] = {seen.r, seen.g, seen.b};
-            for (int channel = 0; channel < 3 && first + channel < count; ++channel)
-                eye.shares.push_back(parts[channel]);
+    const auto look = [&](double lost) {
+        for (EyeShares& eye : view.eyes)
+            eye.shares.clear();
+        for (int first = 0; first < count; first += 3) {
+            const Strip strip(geometry, shares, order, count, axis, lost, first, threads);
+            for (EyeShares& eye : view.eyes) {
+                Vec2 at{0, 0};
+                along(at, axis) = eye.place;
+                const Colour seen = strip.seen_from({at.x, at.y, view.distance});
+                const double parts[3] = {seen.r, seen.g, seen.b};
+                for (int channel = 0; channel < 3 && first + channel < count; ++channel)
+                    eye.shares.push_back(parts[channel]);
+            }
         }
-    }
-    for (EyeShares& eye : view.eyes) {
-        double sum = 0;
-        for (const double share : eye.shares)
-            sum += share;
-        for (double& share : eye.shares)
-            share = sum > 0 ? share / sum : 0;
-        if (eye.picture)
-            view.greatest_other = std::max(view.greatest_other, 1 - eye.shares[*eye.picture]);
-    }
+        for (EyeShares& eye : view.eyes) {
+            double sum = 0;
+            for (const double share : eye.shares)
+                sum += share;
+            for (double& share : eye.shares)
+                share = sum > 0 ? share / sum : 0;
+        }
+        return greatest_other(view.eyes);
+    };
+    view.other_with_ghosts = view.greatest_other = look(0);
+    view.lost_contrast = contrast;
+    if (contrast > 0)
+        view.greatest_other = look(contrast);
     return view;
 }
 

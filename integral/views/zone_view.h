@@ -43,12 +43,16 @@ struct ZoneView {
     std::vector<ShareView> parts;
     std::vector<EyeShares> eyes; ///< eyes_across_zone of them, at the centres of equal parts
     double greatest_other = 0;   ///< greatest share of other pictures where one is expected alone
+    double lost_contrast = 0;    ///< of Deghosting; 0: none
+    double other_with_ghosts = 0; ///< greatest_other without Deghosting
 };
 
 /// Computes the figures by replay, with pupil, printed dots and the lenses' blur (set_as_seen), on
 /// a narrow strip of the sheet. `count`: the number of pictures; `order` as in FrameOfShares.
+/// `contrast`: of the frame's Deghosting; 0: none.
 ZoneView zone_view(const FrameMetadata& geometry, const ZoneShares& shares,
-                   const std::vector<int>& order, int count, ZoneAxis axis, int threads);
+                   const std::vector<int>& order, int count, ZoneAxis axis, double contrast,
+                   int threads);
 
 /// Degrees from the sheet's axis.
 double angle_of(const ZoneView& view, double place);

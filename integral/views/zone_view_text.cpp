@@ -52,8 +52,14 @@ std::string ghost_text(const ZoneView& view)
 {
     const bool any = std::any_of(view.parts.begin(), view.parts.end(),
                                  [](const ShareView& part) { return part.alone.has_value(); });
+    const std::string without = view.lost_contrast > 0
+                                    ? ", in place of " +
+                                          with_decimals(100 * view.other_with_ghosts, 1) +
+                                          "%, for " + with_digits(100 * view.lost_contrast, 3) +
+                                          "% of the contrast"
+                                    : "";
     return any ? "An eye that sees a picture alone sees at most " +
-                     with_decimals(100 * view.greatest_other, 1) + "% of others (" +
+                     with_decimals(100 * view.greatest_other, 1) + "% of others" + without + " (" +
                      std::to_string(eyes_across_zone) + " eyes, by replay with the lenses' blur)."
                : "No eye sees a picture alone: the sheet blurs " + number(2 * view.blur) +
                      " mm at each change. Fewer pictures, or more pixels a lens, would help.";
@@ -98,7 +104,9 @@ std::string zone_view_json(const ZoneView& view, const std::vector<std::string>&
                         {"distance_mm", view.distance},
                         {"direction", view.axis == ZoneAxis::upwards ? "upwards" : "sideways"},
                         {"blur_mm", view.blur},
-                        {"greatest_other", view.greatest_other}}},
+                        {"greatest_other", view.greatest_other},
+                        {"other_with_ghosts", view.other_with_ghosts},
+                        {"lost_contrast", view.lost_contrast}}},
                       {"pictures", parts},
                       {"eyes", eyes}};
     return all.dump(2) + "\n";
