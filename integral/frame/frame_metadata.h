@@ -22,10 +22,10 @@ struct RenderRecord {
     int pixel_samples = 1, beam_samples = 1;
     bool pseudoscopic = false, display_prefilter = false;
     int draft = 1;                      ///< width of a pixel, in pixels of the final frame
-    std::optional<Vec2> phase; ///< Integral_Phase, x to y; nothing: the whole zone was rendered
     double seconds = 0;                 ///< rendering time; 0 if unknown
     std::string fit; ///< the words for the camera that Integral_Fit chose; empty: no fit
     std::optional<ErrorEstimate> error; ///< in the output encoding
+    std::optional<Vec2> phase; ///< Integral_Phase, x to y; nothing: the whole zone was rendered
 };
 
 /// The geometry of a micro-image frame, which replay needs. Lengths in mm.

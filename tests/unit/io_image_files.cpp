@@ -31,8 +31,8 @@ FrameMetadata geometry(int width, int height)
     m.film = {width, height, {25.4 / 300, 25.4 / 600}};
     m.aperture = {300, 200, 100, ApertureShape::ellipse};
     m.render = RenderRecord{
-        "program", "scene.pov", LensModel::hybrid, LensMapping::closest, 4, 16, false, true, 1,
-        1.5,       {}};
+        "program", "scene.pov", LensModel::hybrid, LensMapping::closest, 4, 16, false, true, 1, 1.5,
+        {},        {},          Vec2{0.25, 0.5}};
     return m;
 }
 
