@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(samples_are_of_their_pixel)
     for (const auto& one : sheets) {
         for (const int more : {0, 1}) {
             const QuiltSampler sampler = quilt_of(one.arrangement, one.slant, 3, more);
-            for (const auto [x, below] : {std::pair(0, 0), {39, 29}, {40, 30}, {159, 89}, {77, 63}})
+            for (const auto& [x, below] : {std::pair(0, 0), {39, 29}, {40, 30}, {159, 89}, {77, 63}})
                 for (unsigned k = 0; k < 20; ++k) {
                     const int y = below + more;
                     BOOST_TEST(is_of_pixel(sampler, x, y, *sampler.sample(x, y, false, k)));

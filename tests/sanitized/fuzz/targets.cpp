@@ -316,7 +316,7 @@ const std::vector<Bytes> mesh_words = {"v ", "p ", "l ", "f ", "usemtl ", "mtlli
 /// for certain bytes.
 void planted(const Bytes& bytes)
 {
-    static volatile char sink;
+    [[maybe_unused]] static volatile char sink;
     if (bytes.size() > 20 && bytes[3] == 'f' && bytes[5] == 'a' && bytes[7] == 'u' &&
         bytes[11] == 'l' && bytes[13] == 't') {
         const std::vector<char> copy(bytes.begin(), bytes.end());
