@@ -167,7 +167,7 @@ def write_hdf5(path, pictures, disparities, depths, attributes):
         for name, values in (("LF", pictures), ("disparity", disparities), ("depth_m", depths)):
             file.create_dataset(name, data=values, compression="gzip")
         for section in attributes.values():
-            file.attrs.update({name: value for name, value in section.items()})
+            file.attrs.update(section)
 
 
 def check(metadata):
@@ -211,7 +211,8 @@ def make_data_set():
 
     for number in range(views[0] * views[1]):
         at = divmod(number, views[0])
-        integral.Frame(pictures[at], encoding=frame.encoding).write(given.folder / f"input_Cam{number:03}.png")
+        picture = integral.Frame(pictures[at], encoding=frame.encoding)
+        picture.write(given.folder / f"input_Cam{number:03}.png")
         write_pfm(given.folder / f"gt_disp_lowres_Cam{number:03}.pfm", disparities[at])
         write_pfm(given.folder / f"gt_depth_lowres_Cam{number:03}.pfm", depths[at])
     middle = views[1] // 2, views[0] // 2

@@ -71,8 +71,7 @@ void declare(options::options_description& all, DepthOptions& o)
         "disparities");
     add(all, "truth", o.truth, "FILE",
         "score the map against the depths of the frame or the quilt (.exr, Integral_Depth_Image) "
-        "or "
-        "true disparities (.pfm)");
+        "or true disparities (.pfm)");
     add(all, "border", o.border, "PIXELS (=0)",
         "leave so many out at each side of the map when scoring (the HCI toolkit: 15)");
     add(all, "json", o.json, "print the figures as JSON");

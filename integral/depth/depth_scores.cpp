@@ -102,9 +102,7 @@ std::vector<float> true_disparities(const ViewSet& views, const DepthFrame& quil
         throw std::invalid_argument(
             "it has depths in mm, and the eyes of the views are unknown; give --eyes");
     const EyeGrid& eyes = *quilt.metadata.quilt->eyes;
-    const auto from_middle = [](int count) { return count / 2 - 0.5 * (count - 1); };
-    const Vec2 eye{from_middle(grid.columns) * eyes.zone.x / grid.columns,
-                   from_middle(grid.rows) * eyes.zone.y / grid.rows};
+    const Vec2 eye = middle_eye(grid, {eyes.zone.x / grid.columns, eyes.zone.y / grid.rows});
     const double distance = views.scale->distance;
     if (length(eye - views.eye) > 1e-3 * distance ||
         std::fabs(eyes.distance - distance) > 1e-3 * distance)

@@ -91,6 +91,12 @@ void soften(ViewSet& views, int threads)
     });
 }
 
+Vec2 middle_eye(ViewGrid grid, Vec2 spacing)
+{
+    return {(grid.columns / 2 - 0.5 * (grid.columns - 1)) * spacing.x,
+            (grid.rows / 2 - 0.5 * (grid.rows - 1)) * spacing.y};
+}
+
 ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
                  const std::optional<ViewEyes>& eyes, std::optional<double> shape)
 {
@@ -109,8 +115,7 @@ ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
             up = eyes->spacing.y / eyes->spacing.x;
         const double spacing = grid.columns > 1 ? eyes->spacing.x : eyes->spacing.y;
         set.scale = DepthScale{eyes->distance, spacing / (set.turned ? pixel * tall : pixel)};
-        set.eye = {(grid.columns / 2 - 0.5 * (grid.columns - 1)) * eyes->spacing.x,
-                   (grid.rows / 2 - 0.5 * (grid.rows - 1)) * eyes->spacing.y};
+        set.eye = middle_eye(grid, eyes->spacing);
     }
     up /= tall; // in pixel heights / pixel widths
     const Vec2 right = set.turned ? Vec2{0, pixel * tall} : Vec2{pixel, 0},

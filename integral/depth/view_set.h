@@ -85,10 +85,14 @@ struct ViewEyes {
     double width = 0;    ///< of a view in that plane
 };
 
-/// Makes a set from the views of a grid of eyes; the middle view is in column columns / 2 and row
-/// rows / 2. Without `eyes`, the spacing is the same across and up, and millimetres are not known.
-/// `shape`: displayed width / height of a view; nothing: pixels are square. Throws
-/// std::invalid_argument if the views differ in size or are fewer than 3.
+/// Place (mm) of a grid's middle eye, in column columns / 2 and row rows / 2, from the middle of
+/// all eyes: not 0 where a number is even.
+Vec2 middle_eye(ViewGrid grid, Vec2 spacing);
+
+/// Makes a set from the views of a grid of eyes; the middle view is middle_eye's. Without `eyes`,
+/// the spacing is the same across and up, and millimetres are not known. `shape`: displayed width /
+/// height of a view; nothing: pixels are square. Throws std::invalid_argument if the views differ
+/// in size or are fewer than 3.
 ViewSet view_set(const std::vector<Image>& views, ViewGrid grid,
                  const std::optional<ViewEyes>& eyes, std::optional<double> shape = std::nullopt);
 

@@ -191,7 +191,7 @@ private:
     double alone_limit_ = 0;         ///< if |A| is less, no other lens's ray is nearer the centre
     bool nearest_transmits_ = false; ///< the nearest lens never reflects light totally
     double likely_bend_ = 0;         ///< for likely_pole
-    std::optional<ZonePhase> phase_;   ///< nothing: the whole zone
+    std::optional<ZonePhase> phase_; ///< nothing: the whole zone
     Vec2 zone_;                      ///< width and height of the viewing zone, mm
     double phase_margin_ = 0;
 };

@@ -17,6 +17,7 @@ namespace {
 
 struct Inputs {
     std::vector<SharedPicture> pictures;
+    std::vector<std::optional<Vec2>> phases; ///< of the pictures (RenderRecord::phase)
     FrameMetadata geometry;
     Image form; ///< of the frame
 };
@@ -64,6 +65,9 @@ Inputs read_pictures(const PictureFlip& flip)
         Frame frame = read_frame(path);
         SharedPicture picture;
         picture.is_frame = frame.metadata.has_value();
+        all.phases.push_back(picture.is_frame && frame.metadata->render
+                                 ? frame.metadata->render->phase
+                                 : std::nullopt);
         bits = std::max(bits, sample_bits(frame.image));
         if (all.pictures.empty())
             all.form = form_of(frame.image);
@@ -131,16 +135,14 @@ Vec2 part_of_picture(int picture, const std::vector<int>& order, const ZoneShare
 /// Throws std::invalid_argument if a frame was rendered for a part of the zone (Integral_Phase)
 /// that does not contain its share. `upwards`: the flip divides the zone upwards, the frames
 /// sideways.
-void check_phases(const PictureFlip& flip, const std::vector<int>& order, const ZoneShares& shares,
-                  bool upwards)
+void check_phases(const PictureFlip& flip, const Inputs& inputs, const std::vector<int>& order,
+                  const ZoneShares& shares, bool upwards)
 {
     constexpr double rounding = 1e-3; // less than the pixel by which a part is wider than requested
     for (std::size_t k = 0; k < flip.pictures.size(); ++k) {
-        const FrameReader file(flip.pictures[k]);
-        const auto& metadata = file.frame().metadata;
-        if (!metadata || !metadata->render || !metadata->render->phase)
+        if (!inputs.phases[k])
             continue;
-        const Vec2 phase = *metadata->render->phase, part = part_of_picture(int(k), order, shares);
+        const Vec2 phase = *inputs.phases[k], part = part_of_picture(int(k), order, shares);
         if (!upwards && phase.x <= part.x + rounding && phase.y >= part.y - rounding)
             continue;
         const auto text = [](Vec2 from_to) {
@@ -216,7 +218,7 @@ ZoneView write_flip(const PictureFlip& flip, const Progress& progress)
     const Inputs inputs = read_pictures(flip);
     const FrameMetadata& geometry = inputs.geometry;
     const ZoneAxis axis = axis_of(flip, geometry.sheet);
-    check_phases(flip, order, shares, axis != zone_axis(geometry.sheet));
+    check_phases(flip, inputs, order, shares, axis != zone_axis(geometry.sheet));
     Frame form{inputs.form, std::nullopt};
     set_metadata(form, geometry);
     const FrameOfShares frame(inputs.pictures, order, geometry, shares, axis);
