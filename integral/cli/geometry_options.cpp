@@ -2,12 +2,15 @@
 #include "integral/cli/geometry_options.h"
 
 #include "integral/cli/values.h"
+#include "integral/frame/geometry_json.h"
 #include "integral/io/image_file.h"
 #include "integral/optics/aperture_error.h"
+#include "integral/optics/visual_pitch.h"
 #include "integral/sheet/known_sheets.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace integral {
 namespace {
@@ -17,13 +20,30 @@ constexpr double default_dpi = 300;
 constexpr double largest_size = 20000; // mm, of a page or a print
 constexpr double longer_side = 152.4;  // mm, of a print: 6 inches
 
-/// --lpi: sets the pitch, and the other figures of a common sheet with that many lenses per inch.
-void set_lpi(const SheetOptions& given, LensSheet& sheet)
+/// A pitch option's value NUMBER or NUMBER@DISTANCE: the latter is what a pitch test finds from
+/// that distance.
+struct PitchReading {
+    double value = 0;
+    std::optional<double> distance; ///< mm
+};
+
+PitchReading read_pitch(const char* option, const std::string& text)
 {
-    if (given.pitch)
-        throw UsageError("--lpi and --pitch say the same; give one of them");
-    double lpi = 0;
-    read_positive("lpi", given.lpi, lpi, "a number of lenses per inch");
+    const std::size_t at = text.find('@');
+    const auto value = number_in(text.substr(0, at));
+    PitchReading reading{value.value_or(0), std::nullopt};
+    if (at != std::string::npos)
+        reading.distance = number_in(text.substr(at + 1)).value_or(0);
+    if (!(reading.value > 0))
+        throw_usage(option, text, "a number greater than 0");
+    if (reading.distance && !(*reading.distance >= 1e-2 && *reading.distance <= 1e9))
+        throw_usage(option, text, "after @, a distance of 0.01 to 1e9 mm");
+    return reading;
+}
+
+/// --lpi: sets the pitch, and the other figures of a common sheet with that many lenses per inch.
+void set_lpi(const SheetOptions& given, double lpi, LensSheet& sheet)
+{
     const auto known = sheet_of_lpi(lpi);
     if (!known && !given.thickness)
         throw UsageError("--lpi " + *given.lpi +
@@ -37,11 +57,12 @@ void set_lpi(const SheetOptions& given, LensSheet& sheet)
     }
 }
 
-/// Sets the film's pixels for a print of a size in mm. Throws UsageError with `subject` and
-/// `advice` if there are too many.
+/// Sets the film's pixels for a print of a size in mm and the film's bleed. Throws UsageError with
+/// `subject` and `advice` if there are too many.
 void set_print_size(Vec2 size, const std::string& subject, const std::string& advice, Film& film)
 {
-    const double width = size.x / film.pixel_pitch.x, height = size.y / film.pixel_pitch.y;
+    const double width = (size.x + 2 * film.bleed) / film.pixel_pitch.x,
+                 height = (size.y + 2 * film.bleed) / film.pixel_pitch.y;
     if (std::max(width, height) > largest_film_side)
         throw UsageError(subject +
                          " has more than 1000000 pixels across or down at this "
@@ -66,8 +87,10 @@ void declare(options::options_description& all, SheetOptions& sheet)
 {
     add(all, "arrangement", sheet.arrangement, "KIND",
         "lenticular, square or hexagonal (default lenticular)");
-    add(all, "pitch", sheet.pitch, "MM", "width of a lens (default 1.27)");
-    add(all, "lpi", sheet.lpi, "N",
+    add(all, "pitch", sheet.pitch, "MM[@MM]",
+        "width of a lens (default 1.27); as 1.276@400: what a pitch test finds from 400 mm, which "
+        "is a little more than the lenses' own");
+    add(all, "lpi", sheet.lpi, "N[@MM]",
         "the same as lenses per inch; with 20, 40, 60, 75 and 100 thickness and index are those of "
         "a common sheet, unless given (integral sheet --list)");
     add(all, "thickness", sheet.thickness, "MM",
@@ -163,14 +186,24 @@ FrameMetadata geometry_for_pictures(const PicturesFrameOptions& given, const std
 
 void change_sheet(const SheetOptions& given, LensSheet& sheet)
 {
-    read_number("pitch", given.pitch, sheet.pitch);
-    if (given.lpi)
-        set_lpi(given, sheet);
+    if (given.lpi && given.pitch)
+        throw UsageError("--lpi and --pitch say the same; give one of them");
+    PitchReading pitch;
+    if (given.pitch) {
+        pitch = read_pitch("pitch", *given.pitch);
+        sheet.pitch = pitch.value;
+    }
+    if (given.lpi) {
+        pitch = read_pitch("lpi", *given.lpi);
+        set_lpi(given, pitch.value, sheet);
+    }
     read_kind("arrangement", given.arrangement, sheet.arrangement);
     read_number("thickness", given.thickness, sheet.thickness);
     read_number("ior", given.ior, sheet.ior);
     read_number("slant", given.slant, sheet.slant);
     read_vector("offset", given.offset, sheet.offset);
+    if (pitch.distance && sheet.thickness > 0 && sheet.ior >= 1)
+        sheet.pitch = pitch_of_visual(sheet.pitch, sheet, *pitch.distance);
 }
 
 void change_film(const FilmOptions& given, Film& film)
@@ -240,12 +273,11 @@ bool changes_lenses(const SheetOptions& sheet, const ApertureOptions& aperture)
 
 void check_geometry(const FrameMetadata& geometry)
 {
-    CameraParameters parameters;
-    parameters.sheet = geometry.sheet;
-    parameters.film.pixel_pitch = geometry.film.pixel_pitch;
-    const auto errors = find_value_errors(parameters);
-    if (!errors.empty())
-        throw UsageError(errors.front());
+    try {
+        check_ranges(geometry.sheet, geometry.film);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
 }
 
 } // namespace integral

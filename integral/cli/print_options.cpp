@@ -84,7 +84,8 @@ void declare(options::options_description& all, PrintOptions& o)
     add(all, "centre", o.centre, "WHAT",
         "what comes to the paper's middle: lens, the axis nearest to it (default), or picture");
     add(all, "bleed", o.bleed, "MM",
-        "how much of the picture's edge is cut off afterwards (default 0)");
+        "how much of the picture's edge is cut off afterwards (default: the bleed of the frame's "
+        "film, 0 if it has none)");
     add(all, "marks", o.marks, "KIND,...",
         "crop, registration, axis (where lenses' axes run) or all, outside the picture (default "
         "none)");
@@ -147,6 +148,7 @@ PageRequest page_request(const PrintOptions& o, const Film& film)
     PageRequest request;
     request.paper = parse_paper(o, film);
     request.centre_on_lens = meaning_of("centre", o.centre.value_or("lens"), centre_choices);
+    request.trim = film.bleed;
     read_length("bleed", o.bleed, request.trim);
     read_length("overlap", o.overlap, request.overlap);
     request.tiles = o.tile;

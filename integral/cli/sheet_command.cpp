@@ -11,7 +11,6 @@
 #include "integral/cli/values.h"
 #include "integral/depth/depth_page.h"
 #include "integral/io/image_file.h"
-#include "integral/optics/visual_pitch.h"
 #include "integral/sheet/camera_words.h"
 #include "integral/sheet/scene_depth_report.h"
 #include "integral/sheet/sheet_figures.h"
@@ -26,9 +25,9 @@ struct SheetCommandOptions : CommonOptions {
     SheetOptions sheet;
     FilmOptions film;
     ApertureOptions aperture;
-    std::optional<std::string> visual_pitch, pupil, detail, macro_lens;
+    std::optional<std::string> pupil, detail, macro_lens;
     std::string depths = "10,20,50,100,200,300";
-    std::optional<std::string> print, report, picture, plot, start, output;
+    std::optional<std::string> print, bleed, report, picture, plot, start, output;
     bool list = false, camera = false, json = false;
 };
 
@@ -37,9 +36,6 @@ void declare(options::options_description& all, SheetCommandOptions& o)
     declare(all, o.sheet);
     declare(all, o.film);
     declare(all, o.aperture);
-    add(all, "visual-pitch", o.visual_pitch, "MM",
-        "in place of --pitch: the pitch that a pitch test finds from --distance, which is a little "
-        "more than the lenses' own");
     add(all, "pupil", o.pupil, "MM", "diameter of the eye's pupil (default 5)");
     add(all, "depths", o.depths, "MM,...", "depths to tabulate (default 10,20,50,100,200,300)");
     add(all, "detail", o.detail, "MM",
@@ -48,6 +44,8 @@ void declare(options::options_description& all, SheetCommandOptions& o)
         "focal length, less than 300, of macro-lenses before two such sheets back to back (the "
         "thesis's two-tier screen): how deep the image is that they make of a scene");
     add(all, "print", o.print, "WxH", "size of the picture in mm, instead of --size");
+    add(all, "bleed", o.bleed, "MM",
+        "margin that is cut off all around after printing: --print plus this margin is the film");
     add(all, "list", o.list,
         "a table of known sheets, after the given one, if any: what each gives for that --print, "
         "--distance and --dpi");
@@ -113,11 +111,11 @@ void refuse_geometry(const SheetCommandOptions& o)
                               {"pixel-pitch", o.film.pixel_pitch},
                               {"size", o.film.size},
                               {"print", o.print},
+                              {"bleed", o.bleed},
                               {"list", o.list},
                               {"camera", o.camera},
                               {"distance", o.aperture.distance},
-                              {"aperture", o.aperture.aperture},
-                              {"visual-pitch", o.visual_pitch}});
+                              {"aperture", o.aperture.aperture}});
     if (option)
         throw UsageError(std::string("--report and --") + option +
                          " do not go together: the geometry is the scene's");
@@ -170,18 +168,6 @@ int report_scene(const SheetCommandOptions& o)
     return exit_done;
 }
 
-/// --visual-pitch: sets the lenses' mechanical pitch from the pitch seen from --distance.
-void set_visual_pitch(const SheetCommandOptions& o, FrameMetadata& geometry)
-{
-    throw_if_given({{"pitch", o.sheet.pitch}, {"lpi", o.sheet.lpi}},
-                   "and --visual-pitch contradict each other; give one of them");
-    double visual = 0, distance = geometry.aperture.distance;
-    read_positive("visual-pitch", o.visual_pitch, visual);
-    read_positive("distance", o.aperture.distance, distance);
-    geometry.sheet.pitch = pitch_of_visual(visual, geometry.sheet, distance);
-    check_geometry(geometry);
-}
-
 /// The geometry on the line.
 FrameMetadata geometry_of(const SheetCommandOptions& o)
 {
@@ -196,10 +182,13 @@ FrameMetadata geometry_of(const SheetCommandOptions& o)
     if (!o.inputs.empty())
         start = none_if_empty(o.inputs[0]);
     FrameMetadata geometry = given_geometry(start, o.sheet, o.film, o.print);
-    if (o.visual_pitch)
-        set_visual_pitch(o, geometry);
-    change_aperture(o.aperture, geometry,
-                    start && !o.visual_pitch && !changes_lenses(o.sheet, o.aperture));
+    if (o.bleed) {
+        read_number("bleed", o.bleed, geometry.film.bleed);
+        if (o.print)
+            set_film_size("print", *o.print, geometry.film);
+        check_geometry(geometry);
+    }
+    change_aperture(o.aperture, geometry, start && !changes_lenses(o.sheet, o.aperture));
     return geometry;
 }
 
@@ -234,7 +223,7 @@ int run(const SheetCommandOptions& o)
         return exit_done;
     }
     if (o.list) {
-        const bool own = first_given(o.sheet) || o.visual_pitch || o.start || !o.inputs.empty();
+        const bool own = first_given(o.sheet) || o.start || !o.inputs.empty();
         print_result(o.output, o.json ? sheet_list_json(geometry, own).dump(2) + "\n"
                                       : sheet_list_text(geometry, own));
         return exit_done;

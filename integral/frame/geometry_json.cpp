@@ -45,9 +45,11 @@ void check_ranges(const LensSheet& sheet, const Film& film)
     CameraParameters parameters;
     parameters.sheet = sheet;
     parameters.film.pixel_pitch = film.pixel_pitch;
+    parameters.film.bleed = film.bleed;
     const auto errors = find_value_errors(parameters);
-    if (!errors.empty())
-        throw std::invalid_argument(errors.front());
+    const std::string error = errors.empty() ? bleed_error(film) : errors.front();
+    if (!error.empty())
+        throw std::invalid_argument(error);
 }
 
 LensSheet sheet_from(const JsonObject& object, const char* pitch_field)
@@ -125,6 +127,8 @@ Film film_from(const JsonObject& object, PitchForm form)
     }
     if (object.has("subpixels"))
         film.subpixels = subpixels_from(object);
+    if (object.has("bleed_mm"))
+        film.bleed = number_at(object, "bleed_mm", 0, largest_extent);
     return film;
 }
 
@@ -184,6 +188,8 @@ Json json_of(const Film& film)
         json["height"] = film.height;
     }
     json["pixel_pitch_mm"] = list(film.pixel_pitch);
+    if (film.bleed > 0)
+        json["bleed_mm"] = film.bleed;
     if (film.subpixels != Subpixels::none)
         json["subpixels"] = json_of(film.subpixels);
     return json;

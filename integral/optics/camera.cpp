@@ -23,7 +23,7 @@ void check_view(const ViewFrame& view)
         fail("right, up and direction must not lie in one plane");
 }
 
-/// k, scene units per mm. `film_width`: mm.
+/// k, scene units per mm. `film_width`: mm, without bleed.
 double scale_of(const CameraParameters& p, const ViewFrame& view, double film_width)
 {
     const double window = view.sheet_distance_ratio * length(view.right); // S, scene units
@@ -147,14 +147,17 @@ IntegralCamera make_camera(const CameraParameters& p, const ViewFrame& view, int
         fail("the frame has no pixels");
     check_view(view);
 
-    const Film film{width, height, p.film.pixel_pitch, p.film.subpixels};
+    const Film film{width, height, p.film.pixel_pitch, p.film.subpixels, p.film.bleed};
+    const std::string bleed = bleed_error(film);
+    if (!bleed.empty())
+        fail(bleed);
     std::optional<ProjectionLens> projection;
     if (p.projection_lens)
         projection = ProjectionLens{
             p.projection_lens->focal_length, p.projection_lens->distance,  0,
             int(p.projection_lens->columns), int(p.projection_lens->rows), {}};
-    const double k = scale_of(p, view,
-                              (projection ? projection->magnification() : 1) * size_of(film).x);
+    const double k = scale_of(
+        p, view, (projection ? projection->magnification() : 1) * trimmed_size(film).x);
     const double scene = scene_distance(p, view, k), eye = p.viewing_distance.value_or(scene);
     const std::optional<Parallax> parallax = parallax_of(p, scene, eye);
     if (projection)

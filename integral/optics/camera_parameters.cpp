@@ -54,6 +54,8 @@ void check_film(const FilmParameters& film, Complaints& c)
             for (const double part : {place.x, place.y})
                 c.require(in(std::fabs(part), 0, 1), "place of a subpixel", part,
                           "it is in pixels from its pixel's centre, -1 to 1");
+    c.require(in(film.bleed, 0, 1000), "bleed", film.bleed,
+              "it is the width of a margin to cut off, 0 to 1000 mm");
     if (film.units_per_mm)
         c.require(in(*film.units_per_mm, 1e-6, 1e6), "units_per_mm", *film.units_per_mm,
                   "it is in scene units, 0.000001 to 1000000");
@@ -145,6 +147,12 @@ std::string pixels_error(Vec2 print_size, double pixels)
     return text.str();
 }
 
+/// Size of a picture of print_size with its bleed, mm.
+Vec2 film_size(const CameraParameters& p)
+{
+    return *p.print_size + Vec2{2 * p.film.bleed, 2 * p.film.bleed};
+}
+
 /// The sentence for a sheet without the curved surface that the model needs.
 std::string surface_error(const LensSheet& sheet, LensModel model)
 {
@@ -166,7 +174,7 @@ std::vector<std::string> find_errors(const CameraParameters& p)
         return errors;
     if (p.print_size)
         for (const double pixels :
-             {p.print_size->x / p.film.pixel_pitch.x, p.print_size->y / p.film.pixel_pitch.y})
+             {film_size(p).x / p.film.pixel_pitch.x, film_size(p).y / p.film.pixel_pitch.y})
             if (!in(pixels, 0.5, largest_side))
                 errors.push_back(pixels_error(*p.print_size, pixels));
     if (refracts_at_surface(p.model) && !has_surface(p.sheet))
@@ -211,13 +219,26 @@ std::vector<std::string> find_errors(const CameraParameters& p)
     return errors;
 }
 
+std::string bleed_error(const Film& film)
+{
+    const Vec2 left = trimmed_size(film);
+    if (film.width < 1 || film.height < 1)
+        return "";
+    if (left.x >= film.pixel_pitch.x && left.y >= film.pixel_pitch.y)
+        return "";
+    std::ostringstream text;
+    text << "a bleed of " << film.bleed << " mm leaves nothing of a film of " << size_of(film).x
+         << " x " << size_of(film).y << " mm: give less bleed, or a larger picture";
+    return text.str();
+}
+
 PixelSize print_pixels(const CameraParameters& p)
 {
     const auto pixels = [](double mm, double pitch) {
         return static_cast<int>(std::lround(std::clamp(mm / pitch, 1.0, double(largest_side))));
     };
-    return {pixels(p.print_size->x, p.film.pixel_pitch.x),
-            pixels(p.print_size->y, p.film.pixel_pitch.y)};
+    const Vec2 size = film_size(p);
+    return {pixels(size.x, p.film.pixel_pitch.x), pixels(size.y, p.film.pixel_pitch.y)};
 }
 
 int default_beam_samples(const CameraParameters& p)

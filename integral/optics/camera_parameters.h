@@ -19,6 +19,9 @@ struct FilmParameters {
     Vec2 pixel_pitch{mm_per_inch / 300, mm_per_inch / 300}; ///< mm; 25.4 / dpi
     std::optional<double> units_per_mm; ///< scene units per mm on the sheet, if given
     Subpixels subpixels = {};
+    /// Width of the margin that is cut off all around after printing, mm. There the scene goes on;
+    /// what is left shows what the camera shows without it.
+    double bleed = 0;
 };
 
 /// A lens before the sheet, or an array of them (projection.h).
@@ -44,8 +47,8 @@ struct CameraParameters {
     /// 100: the renderer chooses sheet_distance and parallax accordingly; a given one is kept.
     std::optional<double> fit;
     bool move_eye = false; ///< the scene's eye goes to viewing_distance, along its line of sight
-    /// Width and height of the picture on paper, mm; the frame must have print_pixels. Empty: the
-    /// size follows from the frame's pixels.
+    /// Width and height of the picture on paper, mm, without bleed; the frame must have
+    /// print_pixels. Empty: the size follows from the frame's pixels.
     std::optional<Vec2> print_size;
     std::optional<Vec2> capture_aperture; ///< mm; default: filling_aperture
     ApertureShape aperture_shape = ApertureShape::rectangle;
@@ -66,7 +69,12 @@ struct CameraParameters {
     bool pseudoscopic = false; ///< Lippmann's single-stage capture: inverted in depth
 };
 
-/// Pixel width and height of a picture of print_size (which must be given) on this film.
+/// The sentence for a film of which its bleed leaves nothing; empty for other films, and where the
+/// film has no size.
+std::string bleed_error(const Film& film);
+
+/// Pixel width and height of a picture of print_size (which must be given) and its bleed on this
+/// film.
 PixelSize print_pixels(const CameraParameters& parameters);
 
 /// 16 if there is an area to integrate over (the full model's lens, or a slit with a height), 4 for

@@ -21,12 +21,19 @@ struct Film {
     int width = 0, height = 0; ///< pixels; > 0
     Vec2 pixel_pitch;          ///< mm; > 0; mm_per_inch / dpi, and may differ between x and y
     Subpixels subpixels = {};
+    double bleed = 0; ///< width of the margin that is cut off all around after printing, mm; >= 0
 };
 
 /// Size on paper, mm.
 inline Vec2 size_of(const Film& film)
 {
     return {film.width * film.pixel_pitch.x, film.height * film.pixel_pitch.y};
+}
+
+/// Size of what is left when the bleed is cut off, mm.
+inline Vec2 trimmed_size(const Film& film)
+{
+    return size_of(film) - Vec2{2 * film.bleed, 2 * film.bleed};
 }
 
 /// A draft of a film: equally large in mm, with one pixel for every n x n pixels (n >= 1). If n

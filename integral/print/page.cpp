@@ -230,6 +230,7 @@ std::optional<PageGeometry> geometry_of(const Page& page, const FrameMetadata& f
     g.shift = {x * film.pixel_pitch.x, -y * film.pixel_pitch.y};
     g.metadata.film.width = page.width;
     g.metadata.film.height = page.height;
+    g.metadata.film.bleed = 0;
     g.metadata.sheet.offset = g.metadata.sheet.offset + g.shift;
     g.metadata.placement.reset();
     return g;

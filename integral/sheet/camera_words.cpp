@@ -66,6 +66,8 @@ std::string film_words(const Film& film)
         words += "dpi <" + std::to_string(*across) + ", " + std::to_string(*down) + ">";
     if (film.subpixels != Subpixels::none)
         words += " subpixels " + words_of(film.subpixels);
+    if (film.bleed > 0)
+        words += " bleed " + number_word(film.bleed);
     return words + " }";
 }
 

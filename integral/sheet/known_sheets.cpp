@@ -3,6 +3,8 @@
 
 #include "integral/optics/film.h"
 
+#include <cmath>
+
 namespace integral {
 namespace {
 
@@ -50,7 +52,8 @@ std::vector<LensSheet> thesis_sheets()
 std::optional<LensSheet> sheet_of_lpi(double lenses_per_inch)
 {
     for (const KnownSheet& known : known_sheets())
-        if (!known.of_thesis && known.sheet.pitch == mm_per_inch / lenses_per_inch)
+        if (!known.of_thesis &&
+            std::fabs(known.sheet.pitch * lenses_per_inch / mm_per_inch - 1) <= 0.005)
             return known.sheet;
     return std::nullopt;
 }

@@ -26,7 +26,8 @@ const std::vector<KnownSheet>& known_sheets();
 /// The thesis's sheets alone: one lenticular, four square.
 std::vector<LensSheet> thesis_sheets();
 
-/// The commercial sheet sold with that many lenses per inch; empty for other numbers.
+/// The commercial sheet sold with that many lenses per inch, to half a per cent; empty for other
+/// numbers.
 std::optional<LensSheet> sheet_of_lpi(double lenses_per_inch);
 
 } // namespace integral

@@ -66,6 +66,7 @@ BOOST_AUTO_TEST_CASE(the_include_file_has_the_same_sheets)
 BOOST_AUTO_TEST_CASE(commercial_sheets_are_found_by_their_lenses_per_inch)
 {
     BOOST_TEST(sheet_of_lpi(60)->thickness == 1.28);
+    BOOST_TEST(sheet_of_lpi(60.2)->thickness == 1.28); // as measured
     BOOST_TEST(!sheet_of_lpi(61).has_value());
     BOOST_TEST(!sheet_of_lpi(25.4 / 0.6).has_value()); // the thesis's are not sold
 }

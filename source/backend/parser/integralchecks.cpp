@@ -213,6 +213,9 @@ void IntegralGrammar::Check_Camera(Camera& camera)
     for (const char *word : {"lens_sheet", "film"})
         if (!statement.given.count(word))
             Refuse(statement, std::string("An integral camera needs ") + word + " { ... }.");
+    if (parser.sceneData->integral->quilt && statement.parameters.film.bleed > 0)
+        Refuse(statement, "A bleed is cut off a print, and a quilt is not printed: leave bleed out "
+                          "of film.");
     Use_Visual_Pitch(statement);
     Make_Optics(camera, statement);
 }

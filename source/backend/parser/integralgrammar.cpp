@@ -399,6 +399,11 @@ void IntegralGrammar::Parse_Film(IntegralStatement& statement)
             give("units_per_mm");
             film.units_per_mm = parser.Parse_Float();
         }
+        else if (Accept("bleed"))
+        {
+            give("bleed");
+            film.bleed = parser.Parse_Float();
+        }
         else if (Accept("subpixels"))
         {
             give("subpixels");
@@ -406,7 +411,8 @@ void IntegralGrammar::Parse_Film(IntegralStatement& statement)
         }
         else if (Next_Word() != "}" && parser.Token.Token_Id != END_OF_FILE_TOKEN)
             parser.Error(
-                "'%s' is not a word of film: dpi, pixel_pitch, units_per_mm or subpixels expected.",
+                "'%s' is not a word of film: dpi, pixel_pitch, units_per_mm, bleed or subpixels "
+                "expected.",
                 Next_Word().c_str());
         else
             break;

@@ -81,6 +81,7 @@ private:
     void Parse_Text(const std::string& text);
     void Use_Print_Size();
     void Use_View_Shape();
+    void Use_Trimmed_Shape();
     integral::LensSheet Read_Sheet(const UCS2String& file);
     bool Frame_Size(const IntegralStatement& statement, integral::PixelSize& size);
     void Refuse(const IntegralStatement& statement, const std::string& message);

@@ -53,6 +53,8 @@ void IntegralGrammar::Parse_Option()
     }
     if (option->given.count("print_size") && option->given.count("film"))
         Use_Print_Size();
+    if (option->parameters.film.bleed > 0)
+        Use_Trimmed_Shape();
     if (options.quilt && option->given.count("film"))
         Use_View_Shape();
 
@@ -103,6 +105,23 @@ void IntegralGrammar::Use_Print_Size()
         set("image_width", pixels.width);
     if (options.free_height)
         set("image_height", pixels.height);
+}
+
+/// Sets the scene's image_width and image_height to the size without bleed, so that
+/// image_width/image_height is the shape of the picture after cutting.
+void IntegralGrammar::Use_Trimmed_Shape()
+{
+    const integral::FilmParameters& film = option->parameters.film;
+    const auto trim = [&](const char *name, double pitch)
+    {
+        if (SYM_ENTRY *const symbol = parser.Find_Symbol(1, name))
+        {
+            DBL& value = *static_cast<DBL *>(symbol->Data);
+            value = std::max(1.0, value - std::round(2 * film.bleed / pitch));
+        }
+    };
+    trim("image_width", film.pixel_pitch.x);
+    trim("image_height", film.pixel_pitch.y);
 }
 
 /// In a quilt whose pixels are not square: scales the scene's image_width or image_height, so that

@@ -51,7 +51,7 @@ void IntegralGrammar::Warn(const Camera& camera, const std::vector<double>& dist
 
 void IntegralGrammar::Warn_Of_Shape(const Camera& camera)
 {
-    const integral::Vec2 size = size_of(camera.Integral->optics->film);
+    const integral::Vec2 size = trimmed_size(camera.Integral->optics->film);
     DBL right, up;
     VLength(right, camera.Right);
     VLength(up, camera.Up);
