@@ -10,9 +10,11 @@
 namespace integral {
 namespace {
 
-constexpr int most_layers = 256;
+constexpr std::size_t most_layers = 256;
 constexpr double largest_layer = 1e6; // mm
-constexpr char layer_form[] = "PICTURE@DISTANCE[,width=MM][,height=MM][,x=MM][,y=MM]";
+constexpr double most_degrees = 89;
+constexpr char layer_form[] =
+    "PICTURE@DISTANCE[,width=MM][,height=MM][,x=MM][,y=MM][,turn=DEGREES][,tilt=DEGREES]";
 
 struct LayersOptions : CommonOptions {
     PicturesFrameOptions frame;
@@ -40,7 +42,7 @@ void declare(options::options_description& all, LayersOptions& o)
     declare(all, o.threads);
 }
 
-/// Reads one of the words after a layer's distance, NAME=MM. Throws UsageError.
+/// Reads one of the words after a layer's distance, NAME=NUMBER. Throws UsageError.
 void read_layer_word(const std::string& word, const std::string& given, PictureLayer& layer)
 {
     const auto equals = word.find('=');
@@ -54,48 +56,75 @@ void read_layer_word(const std::string& word, const std::string& given, PictureL
                              "most 1e6");
         return *value;
     };
-    if (!value || (name != "width" && name != "height" && name != "x" && name != "y"))
-        throw UsageError(given + ": " + word + " is not one of width=MM, height=MM, x=MM, y=MM; " +
-                         layer_form + " is expected");
-    if (name == "width")
+    const auto within = [&](double limit, const char* help) {
+        if (!(std::fabs(*value) <= limit))
+            throw UsageError(given + ": " + word + help);
+        return *value;
+    };
+    const char *const too_far = " is too far from the film; at most 1e6 mm is possible",
+                      *const too_much = " turns the layer's edge to the viewer; give at most 89 "
+                                        "degrees";
+    if (value && name == "width")
         layer.width = is_size();
-    else if (name == "height")
+    else if (value && name == "height")
         layer.height = is_size();
-    else if (!(std::fabs(*value) <= largest_layer))
-        throw UsageError(given + ": " + word +
-                         " is too far from the film; at most 1e6 mm is "
-                         "possible");
+    else if (value && name == "x")
+        layer.place.x = within(largest_layer, too_far);
+    else if (value && name == "y")
+        layer.place.y = within(largest_layer, too_far);
+    else if (value && name == "turn")
+        layer.turn = within(most_degrees, too_much);
+    else if (value && name == "tilt")
+        layer.tilt = within(most_degrees, too_much);
     else
-        (name == "x" ? layer.place.x : layer.place.y) = *value;
+        throw UsageError(given + ": " + word +
+                         " is not one of width=MM, height=MM, x=MM, y=MM, turn=DEGREES, "
+                         "tilt=DEGREES; " +
+                         layer_form + " is expected");
 }
 
-/// Reads PICTURE@DISTANCE,...; the picture's name ends at the last @. Throws UsageError.
-PictureLayer layer_of(const std::string& given)
+/// Reads PICTURE@DISTANCE,...; the picture's name ends at the last @. Several distances are of the
+/// pictures of one file, a layer each. Throws UsageError.
+std::vector<PictureLayer> layers_of(const std::string& given)
 {
     const auto at = given.rfind('@');
     if (at == std::string::npos)
         throw UsageError(given + ": it has no distance; " + layer_form + " is expected");
     PictureLayer layer;
     layer.path = given.substr(0, at);
-    const std::vector<std::string> words = parts_between_commas(given.substr(at + 1));
-    const std::string& distance = words[0];
-    const auto value = number_in(distance);
-    if (layer.path.empty() || !value)
-        throw UsageError(given + ": " + (distance.empty() ? "nothing" : distance) +
-                         " is not a distance in mm; " + layer_form + " is expected");
-    if (!(*value <= max_layer_distance))
-        throw UsageError(given + ": " + distance + " mm is too far; at most 1e6 is possible");
-    layer.distance = *value;
-    for (std::size_t k = 1; k < words.size(); ++k)
-        read_layer_word(words[k], given, layer);
-    return layer;
+    std::vector<double> distances;
+    bool has_words = false;
+    for (const std::string& word : parts_between_commas(given.substr(at + 1))) {
+        const auto value = number_in(word);
+        if (has_words || (!value && !distances.empty())) {
+            has_words = true;
+            read_layer_word(word, given, layer);
+            continue;
+        }
+        if (layer.path.empty() || !value)
+            throw UsageError(given + ": " + (word.empty() ? "nothing" : word) +
+                             " is not a distance in mm; " + layer_form + " is expected");
+        if (!(*value <= max_layer_distance))
+            throw UsageError(given + ": " + word + " mm is too far; at most 1e6 is possible");
+        distances.push_back(*value);
+    }
+    std::vector<PictureLayer> layers(distances.size(), layer);
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+        layers[k].distance = distances[k];
+        if (layers.size() > 1)
+            layers[k].picture = int(k);
+    }
+    return layers;
 }
 
 LayersRequest request_of(const LayersOptions& o)
 {
     LayersRequest request;
     for (const std::string& given : o.inputs)
-        request.layers.push_back(layer_of(given));
+        for (const PictureLayer& layer : layers_of(given))
+            request.layers.push_back(layer);
+    if (request.layers.size() > most_layers)
+        throw UsageError("at most " + std::to_string(most_layers) + " layers are possible");
     request.output = needed_output(o.output, "FRAME");
     request.depth_output = o.depth.value_or("");
     if (o.depth)
@@ -125,21 +154,22 @@ const Command layers_command = {
     "layers",
     "flat pictures at distances behind and in front of the sheet, as one frame",
     "PICTURE@DISTANCE... -o FRAME [--print WxH] [--lpi N] [--depth FILE.exr] ...",
-    R"(Makes a frame from flat pictures that are parallel to the sheet, each at its own
-DISTANCE: mm behind the sheet, or in front of it if less than 0, as depth frames have it.
+    R"(Makes a frame from flat pictures, each at its own DISTANCE: mm behind the sheet, or in
+front of it if less than 0, as depth frames have it.
 Transparent pictures show what is behind them. For the eye in the middle all layers lie on
 each other as they were painted: a layer fills the film there, however far it is.
 
 After the distance, width=MM, height=MM, x=MM and y=MM, separated by commas, give a layer
 another size, and its middle another place right of and above the film's middle. These
-lengths, too, are measured on the sheet as the eye in the middle sees them. The last @ ends
-the picture's name.
+lengths, too, are measured on the sheet as the eye in the middle sees them. turn=DEGREES and
+tilt=DEGREES let a layer's right side and its upper side go back from its middle, as a wall or
+a floor. The last @ ends the picture's name.
 
 Prints for each layer how large it is at its distance, how far it moves while the eye crosses
 the viewing zone, and whether the sheet and film show that depth sharply.
 )",
     1,
-    most_layers,
+    int(most_layers),
     described<LayersOptions>,
     run_with<LayersOptions, run>};
 

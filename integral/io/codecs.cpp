@@ -35,6 +35,14 @@ std::string encoded(const DecodedImage& picture, Write write)
 
 bool is_exr(const InputFile& file) { return file.beginning(4) == "\x76\x2f\x31\x01"; }
 
+bool is_jpeg(const InputFile& file) { return file.beginning(2) == "\xff\xd8"; }
+
+bool is_tiff(const InputFile& file)
+{
+    const std::string magic = file.beginning(4);
+    return magic == "II*\0"s || magic == "MM\0*"s || magic == "II+\0"s || magic == "MM\0+"s;
+}
+
 /// A reader of the stored rows, for the format that the file's first bytes indicate. `path` as in
 /// read_any.
 std::unique_ptr<RowReader> read_stored(const InputFile& file, const std::string& path)
@@ -44,11 +52,10 @@ std::unique_ptr<RowReader> read_stored(const InputFile& file, const std::string&
         return read_png(file);
     if (is_exr(file))
         return read_exr(file);
-    if (magic.compare(0, 2, "\xff\xd8") == 0)
+    if (is_jpeg(file))
         return read_jpeg(file);
-    for (const auto& tiff : {"II*\0"s, "MM\0*"s, "II+\0"s, "MM\0+"s})
-        if (magic == tiff)
-            return read_tiff(file);
+    if (is_tiff(file))
+        return read_tiff(file);
     if (magic.empty())
         throw std::runtime_error("it is empty");
     const std::string extension = extension_of(path);
@@ -69,6 +76,14 @@ std::vector<OpenView> views_of_exr(const InputFile& file)
     return views;
 }
 
+std::vector<OpenView> views_of_tiff(const InputFile& file)
+{
+    std::vector<OpenView> views;
+    for (int picture = 0, count = pictures_in_tiff(file); picture < count; ++picture)
+        views.push_back([&file, picture] { return read_tiff(file, picture); });
+    return views;
+}
+
 /// The pictures of an MPO, each up to the beginning of the next one in the file.
 std::vector<OpenView> views_of_mpo(const InputFile& file)
 {
@@ -86,6 +101,17 @@ std::vector<OpenView> views_of_mpo(const InputFile& file)
     return views;
 }
 
+std::vector<OpenView> views_of(const InputFile& file)
+{
+    if (is_exr(file))
+        return views_of_exr(file);
+    if (is_tiff(file))
+        return views_of_tiff(file);
+    if (is_jpeg(file))
+        return views_of_mpo(file);
+    return {[&file] { return read_stored(file, ""); }};
+}
+
 } // namespace
 
 std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& path)
@@ -96,7 +122,7 @@ std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& pa
 std::vector<Image> read_list_of_views(const InputFile& file,
                                       const std::function<void(RowReader&)>& take_notices)
 {
-    const std::vector<OpenView> views = is_exr(file) ? views_of_exr(file) : views_of_mpo(file);
+    const std::vector<OpenView> views = views_of(file);
     double bytes = 0;
     for (const OpenView& open : views)
         bytes += size_in_bytes(open()->head().image);
@@ -129,7 +155,10 @@ DecodedImage decode_exr(const std::string& bytes)
 {
     return decoded(bytes, [](const InputFile& file) { return read_exr(file); });
 }
-DecodedImage decode_tiff(const std::string& bytes) { return decoded(bytes, read_tiff); }
+DecodedImage decode_tiff(const std::string& bytes)
+{
+    return decoded(bytes, [](const InputFile& file) { return read_tiff(file); });
+}
 
 std::string encode_png(const DecodedImage& picture) { return encoded(picture, write_png); }
 std::string encode_exr(const DecodedImage& picture) { return encoded(picture, write_exr); }

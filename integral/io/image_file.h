@@ -101,8 +101,8 @@ bool is_mpo(const std::string& path);
 /// stereo or multi-view OpenEXR. Throws InputError if an OpenEXR cannot be read.
 bool is_list_of_views(const std::string& path);
 
-/// Reads all views of a file, the leftmost first; a plain JPEG or OpenEXR gives one view. Throws
-/// InputError.
+/// Reads all views of a file, the leftmost first, or all pictures of a TIFF; other files give one
+/// picture. Throws InputError.
 std::vector<Image> read_list_of_views(const std::string& path);
 
 /// Width and height of a picture, without reading its pixels. Throws InputError.

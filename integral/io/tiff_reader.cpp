@@ -217,35 +217,44 @@ std::optional<Vec2> pixel_pitch_of(TIFF* tiff)
     return Vec2{mm / x, mm / y};
 }
 
-/// Number of pictures in a file, without small copies and masks of other pictures. Returns to the
-/// first picture.
-int count_pictures(TIFF* tiff)
+void go_to_directory(TIFF* tiff, int directory)
+{
+    clear_tiff_error(); // an error in another picture
+    if (!TIFFSetDirectory(tiff, std::uint16_t(directory)))
+        fail_tiff("it cannot be opened as a TIFF");
+}
+
+/// The directories of a file's pictures, without small copies and masks of other pictures. Ends at
+/// the first picture, or at a later one.
+std::vector<int> picture_directories(TIFF* tiff)
 {
     constexpr int most = 1000;
-    int pictures = 0;
+    std::vector<int> pictures;
     for (int k = 0; k < most; ++k) {
         std::uint32_t kind = 0;
         TIFFGetField(tiff, TIFFTAG_SUBFILETYPE, &kind);
-        pictures += kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK) ? 0 : 1;
+        if (!(kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)))
+            pictures.push_back(k);
         if (TIFFLastDirectory(tiff) || !TIFFReadDirectory(tiff))
             break;
     }
-    clear_tiff_error(); // an error in another picture
-    if (!TIFFSetDirectory(tiff, 0))
-        fail_tiff("it cannot be opened as a TIFF");
     return pictures;
 }
 
 class TiffReader : public RowReader {
 public:
-    explicit TiffReader(const InputFile& file)
+    TiffReader(const InputFile& file, std::optional<int> picture)
     {
         stream_.input = &file;
         tiff_ = open_tiff(stream_, "rm"); // m: no memory mapping
         TIFF* tiff = tiff_.get();
-        const int pictures = TIFFLastDirectory(tiff) ? 1 : count_pictures(tiff);
-        if (pictures > 1)
-            add_notice("it holds " + std::to_string(pictures) + " pictures; the first is read");
+        if (!TIFFLastDirectory(tiff)) {
+            const std::vector<int> pictures = picture_directories(tiff);
+            go_to_directory(tiff, picture ? pictures.at(std::size_t(*picture)) : 0);
+            if (!picture && pictures.size() > 1)
+                add_notice("it holds " + std::to_string(pictures.size()) +
+                           " pictures; the first is read");
+        }
         layout_ = tiff_layout(tiff);
         set_head();
         const Image& form = head_.image;
@@ -336,9 +345,19 @@ private:
 
 } // namespace
 
-std::unique_ptr<RowReader> read_tiff(const InputFile& file)
+std::unique_ptr<RowReader> read_tiff(const InputFile& file, std::optional<int> picture)
 {
-    return std::make_unique<TiffReader>(file);
+    return std::make_unique<TiffReader>(file, picture);
+}
+
+int pictures_in_tiff(const InputFile& file)
+{
+    TiffStream stream;
+    stream.input = &file;
+    const TiffHandle tiff = open_tiff(stream, "rm");
+    const int pictures = int(picture_directories(tiff.get()).size());
+    clear_tiff_error(); // an error in another picture
+    return pictures;
 }
 
 } // namespace integral

@@ -100,47 +100,119 @@ Vec2 beam_widths(const FrameMetadata& geometry, double parallax)
     return {std::sqrt(squares.x), std::sqrt(squares.y)};
 }
 
-/// A layer as the drawing needs it: places on the sheet become pixels of the picture.
-struct PlacedLayer {
-    explicit PlacedLayer(const DrawnLayer& layer, double viewing_distance)
-        : picture(&layer.picture),
-          distance(layer.distance),
-          parallax(layer_parallax(layer.distance, viewing_distance))
+/// A picture of a layer as the drawing needs it: places on the sheet become pixels.
+struct PlacedPicture {
+    PlacedPicture(const LayerPicture& given, const LayerWindow& window)
+        : picture(&given),
+          scale{given.width() / window.size.x, -given.height() / window.size.y},
+          first{0.5 * given.width() - scale.x * window.middle.x,
+                0.5 * given.height() - scale.y * window.middle.y}
     {
-        const auto& [middle, size] = layer.window;
-        scale = {picture->width() / size.x, -picture->height() / size.y};
-        first = {0.5 * picture->width() - scale.x * middle.x,
-                 0.5 * picture->height() - scale.y * middle.y};
     }
-
-    /// The light that the line of sight through a point of the sheet and one of the aperture plane
-    /// meets.
-    FourFloats along(Vec2 sheet_point, Vec2 aperture_point) const
+    FourFloats at(Vec2 place) const
     {
-        const Vec2 place = sheet_point - parallax * aperture_point;
         return picture->at(first.x + scale.x * place.x, first.y + scale.y * place.y);
     }
 
     const LayerPicture* picture;
-    double distance, parallax;
     Vec2 scale, first;
+};
+
+/// Where a line of sight meets a layer.
+struct LayerPoint {
+    Vec2 place; ///< on the sheet, as the eye in the middle sees it
+    double parallax = 0;
+};
+
+/// A layer as the drawing needs it.
+struct PlacedLayer {
+    explicit PlacedLayer(const DrawnLayer& given) : layer(&given)
+    {
+        for (const LayerPicture& picture : given.pictures)
+            pictures.emplace_back(picture, given.window);
+    }
+
+    /// Solves p = s - q(p) a for the place p on the line of sight through a point s of the sheet
+    /// and a point a of the aperture plane; q: the parallax. A plane that the eye at a sees from
+    /// behind, or that ends before its line of sight, gets the parallax 1, that of infinity.
+    LayerPoint point(Vec2 sheet_point, Vec2 aperture_point) const
+    {
+        const LayerPlane& plane = layer->plane;
+        const double facing = 1 + dot(plane.slope, aperture_point),
+                     q = facing > 0 ? std::min(1.0, plane.at(sheet_point) / facing) : 1;
+        return {sheet_point - q * aperture_point, q};
+    }
+
+    FourFloats at(const LayerPoint& point) const
+    {
+        if (!layer->plane.tilted())
+            return pictures[0].at(point.place);
+        if (point.parallax >= 1)
+            return FourFloats{0, 0, 0, 0};
+        const auto [least, greatest] = layer->range;
+        const std::size_t parts = layer->picture_of.size();
+        const double part = double(parts) * (point.parallax - least) / (greatest - least);
+        const std::size_t chosen = std::size_t(std::clamp(part, 0.0, double(parts - 1)));
+        return pictures[std::size_t(layer->picture_of[chosen])].at(point.place);
+    }
+
+    const DrawnLayer* layer;
+    std::vector<PlacedPicture> pictures;
 };
 
 } // namespace
 
-DrawnLayer drawn_layer(const Image& picture, double distance, const LayerWindow& window,
+std::optional<LayerPlane> layer_plane(double z, Vec2 gradient, Vec2 middle, double distance)
+{
+    // A plane z = z0 + g . P has the parallax (z0 + g . p)/(d + z0) at the place p = P d/(d + z).
+    const double facing = 1 - dot(gradient, middle) / distance;
+    if (!(facing > 1e-9))
+        return std::nullopt;
+    LayerPlane plane;
+    plane.slope = (1 / ((distance + z) * facing)) * gradient;
+    plane.parallax = layer_parallax(z, distance) - dot(plane.slope, middle);
+    return plane;
+}
+
+ParallaxRange parallax_range(const LayerPlane& plane, const LayerWindow& window)
+{
+    const double middle = plane.at(window.middle),
+                 half = 0.5 * (std::fabs(plane.slope.x) * window.size.x +
+                               std::fabs(plane.slope.y) * window.size.y);
+    return {middle - half, middle + half};
+}
+
+DrawnLayer drawn_layer(const Image& picture, const LayerPlane& plane, const LayerWindow& window,
                        const FrameMetadata& geometry, int threads)
 {
-    const Vec2 step = (1 / pixels_per_beam) *
-                      beam_widths(geometry, layer_parallax(distance, geometry.aperture.distance));
-    Image small = covered_means(picture, pixels_of_step(picture.width, window.size.x, step.x),
-                                pixels_of_step(picture.height, window.size.y, step.y), threads);
+    DrawnLayer layer{plane, window, parallax_range(plane, window), {}, {}};
+    const int parts = plane.tilted() ? 64 : 1;
+    std::vector<Vec2> beams;
+    Vec2 finest{HUGE_VAL, HUGE_VAL};
+    for (int k = 0; k < parts; ++k) {
+        const double part = (k + 0.5) / parts;
+        beams.push_back(beam_widths(
+            geometry, layer.range.least + part * (layer.range.greatest - layer.range.least)));
+        finest = {std::min(finest.x, beams.back().x), std::min(finest.y, beams.back().y)};
+    }
+    int coarsest = 0;
+    for (const Vec2 beam : beams) {
+        const double ratio = std::min(beam.x / finest.x, beam.y / finest.y);
+        layer.picture_of.push_back(std::isfinite(ratio) ? int(std::log2(std::max(1.0, ratio))) : 0);
+        coarsest = std::max(coarsest, layer.picture_of.back());
+    }
     const auto fade = [](double step, double length, int pixels) {
         return std::min(1.0, step * pixels / length);
     };
-    const Vec2 fades{fade(step.x, window.size.x, small.width),
-                     fade(step.y, window.size.y, small.height)};
-    return {LayerPicture(std::move(small), fades), distance, window};
+    for (int k = 0; k <= coarsest; ++k) {
+        const Vec2 step = (std::ldexp(1, k) / pixels_per_beam) * finest;
+        Image small = covered_means(picture, pixels_of_step(picture.width, window.size.x, step.x),
+                                    pixels_of_step(picture.height, window.size.y, step.y), threads);
+        const Vec2 fades{fade(step.x, window.size.x, small.width),
+                         fade(step.y, window.size.y, small.height)};
+        layer.pictures.emplace_back(std::move(small), fades);
+    }
+    return layer;
 }
 
 struct FrameOfLayers::State {
@@ -152,10 +224,38 @@ struct FrameOfLayers::State {
           transparent(is_transparent)
     {
         for (auto layer = drawn.rbegin(); layer != drawn.rend(); ++layer)
-            layers.emplace_back(*layer, metadata.aperture.distance);
-        std::stable_sort(
-            layers.begin(), layers.end(),
-            [](const PlacedLayer& a, const PlacedLayer& b) { return a.distance < b.distance; });
+            layers.emplace_back(*layer);
+        for (const DrawnLayer& layer : drawn)
+            any_tilted = any_tilted || layer.plane.tilted();
+        std::stable_sort(layers.begin(), layers.end(),
+                         [](const PlacedLayer& a, const PlacedLayer& b) {
+                             return a.layer->plane.parallax < b.layer->plane.parallax;
+                         });
+    }
+
+    /// Calls visit(light, parallax) for the layers along the line of sight through two points, from
+    /// the front to the back, until it returns false.
+    template <class Visit>
+    void visit_layers(Vec2 sheet_point, Vec2 aperture_point, Visit visit) const
+    {
+        if (!any_tilted) {
+            for (const PlacedLayer& layer : layers) {
+                const LayerPoint point = layer.point(sheet_point, aperture_point);
+                if (!visit(layer.at(point), point.parallax))
+                    return;
+            }
+            return;
+        }
+        thread_local std::vector<std::pair<LayerPoint, const PlacedLayer*>> met;
+        met.clear();
+        for (const PlacedLayer& layer : layers)
+            met.emplace_back(layer.point(sheet_point, aperture_point), &layer);
+        std::stable_sort(met.begin(), met.end(), [](const auto& a, const auto& b) {
+            return a.first.parallax < b.first.parallax;
+        });
+        for (const auto& [point, layer] : met)
+            if (!visit(layer->at(point), point.parallax))
+                return;
     }
 
     /// The mean light along the lines of sight of a film point's pixel. Parts of the pixel that
@@ -166,38 +266,35 @@ struct FrameOfLayers::State {
         const LensRay& ray = *mapped.ray;
         constexpr float opaque = 1.0f / 1024; // lines that pass less light than this end
         const RayGradient g = ray_gradient(optics, film_point, ray);
-        std::array<Vec2, lines> sheet_points, aperture_points;
-        std::array<float, lines> open; // the share of light that the layers so far let through
-        float counted = 0;
+        std::array<bool, lines> counts;
+        int counted = 0;
         for (int k = 0; k < lines; ++k) {
-            const LineStart& start = starts[k];
-            sheet_points[k] = ray.pole + start.cell + start.film.x * g.x.pole +
-                              start.film.y * g.y.pole + start.slit * g.slit.pole;
-            aperture_points[k] = ray.aperture_point + start.cell + start.film.x * g.x.aperture +
-                                 start.film.y * g.y.aperture + start.slit * g.slit.aperture;
-            open[k] = mapped.searched ||
-                      optics.lattice().nearest(film_point + start.film) == ray.lens;
-            counted += open[k];
+            counts[k] = mapped.searched ||
+                        optics.lattice().nearest(film_point + starts[k].film) == ray.lens;
+            counted += counts[k];
         }
         if (counted == 0) { // a tiny part belongs to the lens, and no line begins there
-            std::fill_n(open.begin(), lines, 1.0f);
-            counted = float(lines);
+            counts.fill(true);
+            counted = lines;
         }
         FourFloats sum{0, 0, 0, 0};
-        for (const PlacedLayer& layer : layers) {
-            bool more = false;
-            for (int k = 0; k < lines; ++k) {
-                if (open[k] < opaque)
-                    continue;
-                const FourFloats seen = layer.along(sheet_points[k], aperture_points[k]);
-                sum += open[k] * seen;
-                open[k] *= 1 - seen[3];
-                more = more || open[k] >= opaque;
-            }
-            if (!more)
-                break;
+        for (int k = 0; k < lines; ++k) {
+            if (!counts[k])
+                continue;
+            const LineStart& start = starts[k];
+            const Vec2 sheet_point = ray.pole + start.cell + start.film.x * g.x.pole +
+                                     start.film.y * g.y.pole + start.slit * g.slit.pole;
+            const Vec2 aperture_point = ray.aperture_point + start.cell +
+                                        start.film.x * g.x.aperture + start.film.y * g.y.aperture +
+                                        start.slit * g.slit.aperture;
+            float open = 1; // the share of light that the layers so far let through
+            visit_layers(sheet_point, aperture_point, [&](FourFloats seen, double) {
+                sum += open * seen;
+                open *= 1 - seen[3];
+                return open >= opaque;
+            });
         }
-        sum *= 1 / counted;
+        sum *= 1 / float(counted);
         return {sum[0], sum[1], sum[2], transparent ? sum[3] : 1};
     }
 
@@ -245,10 +342,14 @@ struct FrameOfLayers::State {
     /// The distance of the nearest layer that is opaque by half or more; infinite if there is none.
     float depth(const LensRay& ray) const
     {
-        for (const PlacedLayer& layer : layers)
-            if (layer.along(ray.pole, ray.aperture_point)[3] >= 0.5f)
-                return float(layer.distance);
-        return std::numeric_limits<float>::infinity();
+        float depth = std::numeric_limits<float>::infinity();
+        visit_layers(ray.pole, ray.aperture_point, [&](FourFloats seen, double parallax) {
+            if (seen[3] < 0.5f)
+                return true;
+            depth = float(layer_depth(parallax, geometry.aperture.distance));
+            return false;
+        });
+        return depth;
     }
 
     FrameMetadata geometry;
@@ -256,7 +357,7 @@ struct FrameOfLayers::State {
     std::vector<LineStart> starts;
     std::vector<DrawnLayer> drawn;
     std::vector<PlacedLayer> layers; ///< of `drawn`, from the front to the back
-    bool transparent;
+    bool transparent, any_tilted = false;
 };
 
 FrameOfLayers::FrameOfLayers(std::vector<DrawnLayer> layers, const FrameMetadata& geometry,

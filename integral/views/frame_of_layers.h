@@ -13,6 +13,7 @@
 #include "integral/views/layer_picture.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace integral {
@@ -25,16 +26,48 @@ struct LayerWindow {
 /// The parallax of a layer z mm behind the sheet, seen from `distance` mm; z > -distance.
 inline double layer_parallax(double z, double distance) { return z / (distance + z); }
 
-/// A picture in its window. The picture was made only as fine as its layer can show it.
+/// Inverse of layer_parallax; `parallax` < 1.
+inline double layer_depth(double parallax, double distance)
+{
+    return parallax * distance / (1 - parallax);
+}
+
+/// A layer's plane. Its points are named by their places on the sheet as the eye in the middle
+/// sees them, mm. The parallax of a plane is an affine function of this place.
+struct LayerPlane {
+    double parallax = 0; ///< at the sheet's centre
+    Vec2 slope;          ///< change of the parallax a mm to the right, and upwards
+
+    double at(Vec2 place) const { return parallax + dot(slope, place); }
+    bool tilted() const { return slope.x != 0 || slope.y != 0; }
+};
+
+/// The plane through the place `middle`, z mm behind the sheet there. `gradient`: mm that it goes
+/// back for each mm to the right, and upwards. Empty if the eye in the middle, at `distance`, is
+/// not in front of it.
+std::optional<LayerPlane> layer_plane(double z, Vec2 gradient, Vec2 middle, double distance);
+
+struct ParallaxRange {
+    double least = 0, greatest = 0;
+};
+
+/// The range of the parallax of a plane in a window.
+ParallaxRange parallax_range(const LayerPlane& plane, const LayerWindow& window);
+
+/// A picture in its window on a plane.
 struct DrawnLayer {
-    LayerPicture picture;
-    double distance = 0; ///< z, mm behind the sheet; negative: in front
+    LayerPlane plane;
     LayerWindow window;
+    ParallaxRange range;
+    /// The first is as fine as the plane can show it anywhere, each further one half as fine.
+    std::vector<LayerPicture> pictures;
+    std::vector<int> picture_of; ///< index of a picture for each of equal parts of `range`
 };
 
 /// The picture reduced to the detail that a pixel of the frame shows of a layer in that window:
-/// pixels of a quarter of the beam's width there. `threads`: 0: one per core.
-DrawnLayer drawn_layer(const Image& picture, double distance, const LayerWindow& window,
+/// pixels of a quarter of the beam's width there, or, of a tilted one, of an eighth to a quarter.
+/// `threads`: 0: one per core.
+DrawnLayer drawn_layer(const Image& picture, const LayerPlane& plane, const LayerWindow& window,
                        const FrameMetadata& geometry, int threads);
 
 /// Draws the frame. A film pixel (or each of its subpixels) gathers light over its own area and its
@@ -44,7 +77,8 @@ DrawnLayer drawn_layer(const Image& picture, double distance, const LayerWindow&
 /// centre, from the part of the pixel that lies behind this lens.
 class FrameOfLayers {
 public:
-    /// `layers`: any order; of two at the same distance, the later one is in front. If
+    /// `layers`: any order; of two at the same distance, the later one is in front. Tilted ones may
+    /// pass through each other. If
     /// `transparent` is not set, they stand on black.
     FrameOfLayers(std::vector<DrawnLayer> layers, const FrameMetadata& geometry, bool transparent);
     ~FrameOfLayers();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/views/layers.h"
 
+#include "integral/base/constants.h"
 #include "integral/base/number_text.h"
 #include "integral/frame/names.h"
 #include "integral/io/frame_rows.h"
@@ -17,11 +18,16 @@
 namespace integral {
 namespace {
 
+std::string name_of(const PictureLayer& layer)
+{
+    return layer.path + (layer.picture ? " " + std::to_string(*layer.picture + 1) : "");
+}
+
 void check_distance(const PictureLayer& layer, double viewing_distance)
 {
     if (!(layer.distance > -viewing_distance))
         throw std::invalid_argument(
-            layer.path + ": a layer " + with_digits(-layer.distance, 6) +
+            name_of(layer) + ": a layer " + with_digits(-layer.distance, 6) +
             " mm in front of the sheet is not before the viewer, who is at " +
             with_digits(viewing_distance, 6) + " mm; give it a distance greater than -" +
             with_digits(viewing_distance, 6));
@@ -36,7 +42,7 @@ LayerWindow window_of(const PictureLayer& layer, double shape, const LayersReque
                  layer.height ? *layer.height : *layer.width / shape}};
     const FittedPicture fit = fitted(shape, shape_of(request.geometry.film), request.fit);
     if (fit.differs())
-        request.tell(layer.path + ": " + fit_text(fit, "the film", "transparent bars"));
+        request.tell(name_of(layer) + ": " + fit_text(fit, "the film", "transparent bars"));
     const Vec2 film = size_of(request.geometry.film);
     return {layer.place, {fit.size.x * film.x, fit.size.y * film.y}};
 }
@@ -59,7 +65,7 @@ std::optional<BareEdge> bare_edge(const PictureLayer& layer, const LayerWindow& 
     constexpr double tolerance = 0.01; // of the film; fitted pictures may differ by that much
     const double parallax = layer_parallax(layer.distance, geometry.aperture.distance);
     const Vec2 film = size_of(geometry.film);
-    BareEdge bare{layer.path};
+    BareEdge bare{name_of(layer)};
     bool fills = true;
     const auto filling = [&](double picture, double middle, double target, double extent) {
         const double beside = 0.5 * picture - std::fabs(middle) - 0.5 * target, // from the middle
@@ -81,14 +87,59 @@ std::optional<BareEdge> bare_edge(const PictureLayer& layer, const LayerWindow& 
     return bare;
 }
 
-/// The picture, for a layer. Throws std::invalid_argument if it is a frame.
-Image layer_image(const PictureLayer& layer)
+/// Reads the pictures of layers. It keeps the last file of several pictures.
+class LayerImages {
+public:
+    /// Throws std::invalid_argument if it is a frame, or the file has too few pictures.
+    Image read(const PictureLayer& layer)
+    {
+        if (!layer.picture) {
+            Frame frame = read_frame(layer.path);
+            if (frame.metadata)
+                throw std::invalid_argument(layer.path +
+                                            ": it is a frame, which has its own depth; merge it "
+                                            "with integral combine");
+            return std::move(frame.image);
+        }
+        if (path_ != layer.path) {
+            pictures_.clear();
+            pictures_ = read_list_of_views(layer.path);
+            path_ = layer.path;
+        }
+        if (*layer.picture >= int(pictures_.size()))
+            throw std::invalid_argument(layer.path + ": it holds " +
+                                        std::to_string(pictures_.size()) +
+                                        (pictures_.size() == 1 ? " picture" : " pictures") +
+                                        "; give as many distances, or fewer");
+        return pictures_[std::size_t(*layer.picture)];
+    }
+
+private:
+    std::string path_;
+    std::vector<Image> pictures_;
+};
+
+/// Throws std::invalid_argument for a tilted layer that the viewer's distance cuts.
+LayerPlane plane_of(const PictureLayer& layer, const LayerWindow& window, double viewing)
 {
-    Frame frame = read_frame(layer.path);
-    if (frame.metadata)
-        throw std::invalid_argument(layer.path + ": it is a frame, which has its own depth; merge "
-                                                 "it with integral combine");
-    return std::move(frame.image);
+    const auto gradient = [](double degrees) { return std::tan(radians_per_degree * degrees); };
+    const auto plane = layer_plane(layer.distance, {gradient(layer.turn), gradient(layer.tilt)},
+                                   window.middle, viewing);
+    if (!plane || !(parallax_range(*plane, window).greatest < 1))
+        throw std::invalid_argument(name_of(layer) +
+                                    ": turned and tilted so far, its plane goes on to infinity "
+                                    "within the picture; give a smaller angle or size");
+    return *plane;
+}
+
+/// Adds the depths of a tilted layer to the figures of the last one.
+void set_range(const LayerPlane& plane, const LayerWindow& window, double viewing, LayersView& view)
+{
+    const ParallaxRange range = parallax_range(plane, window);
+    LayerFigures& figures = view.layers.back();
+    figures.tilted = {layer_depth(range.least, viewing), layer_depth(range.greatest, viewing)};
+    figures.sharpness = std::max(sharpness_at(figures.tilted->nearest, view.budget),
+                                 sharpness_at(figures.tilted->farthest, view.budget));
 }
 
 struct Inputs {
@@ -105,25 +156,32 @@ Inputs read_layers(const LayersRequest& request, LayersView& view)
     const PictureLayer* farthest = nullptr;
     view.budget = seen_budget(geometry);
     Inputs all;
+    LayerImages images;
     int bits = 8;
     for (const PictureLayer& layer : request.layers) {
         stop_if_interrupted();
-        const Image image = layer_image(layer);
+        const Image image = images.read(layer);
         bits = std::max(bits, sample_bits(image));
         if (all.layers.empty())
             all.form = form_of(image);
         const double shape = double(image.width) / image.height;
         const LayerWindow window = window_of(layer, shape, request);
+        const LayerPlane plane = plane_of(layer, window, viewing);
         const double there = (viewing + layer.distance) / viewing,
                      parallax = layer_parallax(layer.distance, viewing);
-        view.layers.push_back({layer.path, layer.distance, there * window.size,
+        view.layers.push_back({name_of(layer),
+                               layer.distance,
+                               there * window.size,
                                parallax * (lenses_lie_across(geometry.sheet) ? zone.y : zone.x),
-                               sharpness_at(layer.distance, view.budget)});
-        if (!farthest || layer.distance > farthest->distance) {
+                               sharpness_at(layer.distance, view.budget),
+                               {}});
+        if (plane.tilted())
+            set_range(plane, window, viewing, view);
+        else if (!farthest || layer.distance > farthest->distance) {
             farthest = &layer;
             view.bare = bare_edge(layer, window, shape, geometry, zone);
         }
-        all.layers.push_back(drawn_layer(image, layer.distance, window, geometry, request.threads));
+        all.layers.push_back(drawn_layer(image, plane, window, geometry, request.threads));
     }
     const bool exr = format_for(request.output) == ImageFormat::exr;
     bits = exr ? 32 : request.bits.value_or(bits);

@@ -17,15 +17,19 @@ namespace integral {
 
 constexpr double max_layer_distance = 1e6; // mm behind the sheet
 
-/// A flat picture parallel to the sheet. Its size and place are measured on the sheet, as the eye
+/// A flat picture. Its size and place are measured on the sheet, as the eye
 /// in the middle sees them there, so that another distance does not change the picture from there.
 struct PictureLayer {
     std::string path;
+    std::optional<int> picture; ///< number of the picture in a file of several; else the first
     double distance = 0; ///< mm behind the sheet, as depth frames have it; negative: in front
     /// Size, mm. If only one side is given, the other follows from the picture's shape; if neither
     /// is, the picture is fitted to the film.
     std::optional<double> width, height;
     Vec2 place; ///< of the picture's middle, mm from the film's: to the right, and upwards
+    /// Degrees, -89 to 89: by which the right side (turn) and the upper side (tilt) go back from
+    /// the middle, which is at `distance`. The eye in the middle sees no difference.
+    double turn = 0, tilt = 0;
 };
 
 struct LayersRequest {
@@ -44,6 +48,11 @@ struct LayersRequest {
 /// How sharp the sheet and film show a depth (depth_advice.h); unknown if they have no budget.
 enum class LayerSharpness { sharp, soft, beyond, unknown };
 
+/// Where a tilted layer begins and ends, mm behind the sheet.
+struct LayerEnds {
+    double nearest = 0, farthest = 0;
+};
+
 struct LayerFigures {
     std::string name;
     double distance = 0; ///< mm behind the sheet
@@ -51,6 +60,7 @@ struct LayerFigures {
     double shift = 0; ///< of the layer on the sheet while the eye crosses the viewing zone, mm; > 0
                       ///< in the direction of the eye
     LayerSharpness sharpness = LayerSharpness::unknown;
+    std::optional<LayerEnds> tilted; ///< of a tilted layer
 };
 
 /// The farthest layer, if it fills the film for the eye in the middle but not for all eyes of the

@@ -24,6 +24,13 @@ std::string place_text(double distance)
                                (distance > 0 ? "behind" : "before");
 }
 
+std::string range_text(const std::optional<LayerEnds>& range)
+{
+    return range ? ", " + with_digits(range->nearest, 4) + " to " +
+                       with_digits(range->farthest, 4) + " mm"
+                 : "";
+}
+
 const char* name_of(LayerSharpness sharpness)
 {
     switch (sharpness) {
@@ -49,7 +56,8 @@ std::string layers_text(const LayersView& view)
                 column(place_text(layer.distance), 18) +
                 column(with_decimals(layer.size.x, 1) + " x " + with_decimals(layer.size.y, 1),
                        18) +
-                column(with_decimals(layer.shift, 2), 12) + "  " + name_of(layer.sharpness) + "\n";
+                column(with_decimals(layer.shift, 2), 12) + "  " + name_of(layer.sharpness) +
+                range_text(layer.tilted) + "\n";
     text += "\nShift: how far the layer moves on the sheet, with the eye (negative: against it), "
             "while the\neye crosses the viewing zone.\n";
     text += view.budget ? "Depth: sharp up to " + with_digits(*view.budget, 3) +
@@ -71,15 +79,21 @@ std::string layers_json(const LayersView& view)
 {
     Json json = {{"budget_mm", view.budget ? Json(*view.budget) : Json(nullptr)},
                  {"layers", Json::array()}};
-    for (const LayerFigures& layer : view.layers)
-        json["layers"].push_back({{"picture", layer.name},
-                                  {"distance_mm", layer.distance},
-                                  {"width_mm", layer.size.x},
-                                  {"height_mm", layer.size.y},
-                                  {"shift_mm", layer.shift},
-                                  {"depth", layer.sharpness == LayerSharpness::unknown
-                                                ? Json(nullptr)
-                                                : Json(name_of(layer.sharpness))}});
+    for (const LayerFigures& layer : view.layers) {
+        Json of_layer = {{"picture", layer.name},
+                         {"distance_mm", layer.distance},
+                         {"width_mm", layer.size.x},
+                         {"height_mm", layer.size.y},
+                         {"shift_mm", layer.shift},
+                         {"depth", layer.sharpness == LayerSharpness::unknown
+                                       ? Json(nullptr)
+                                       : Json(name_of(layer.sharpness))}};
+        if (layer.tilted) {
+            of_layer["nearest_mm"] = layer.tilted->nearest;
+            of_layer["farthest_mm"] = layer.tilted->farthest;
+        }
+        json["layers"].push_back(of_layer);
+    }
     if (view.bare)
         json["bare"] = {{"picture", view.bare->name},
                         {"margin_mm", view.bare->margin},
