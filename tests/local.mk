@@ -110,6 +110,7 @@ unit_sources = \
   tests/unit/optics_film.cpp \
   tests/unit/optics_film_in_sight.cpp \
   tests/unit/optics_lattice.cpp \
+  tests/unit/optics_film_seen.cpp \
   tests/unit/optics_lens_box.cpp \
   tests/unit/optics_mapping.cpp \
   tests/unit/optics_models.cpp \

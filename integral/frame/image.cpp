@@ -10,11 +10,6 @@
 namespace integral {
 namespace {
 
-template <class Sample> constexpr float full_scale()
-{
-    return std::is_integral<Sample>::value ? float(std::numeric_limits<Sample>::max()) : 1.0f;
-}
-
 template <class Sample> Sample sample_from(float value)
 {
     if constexpr (std::is_integral<Sample>::value) {
@@ -26,11 +21,6 @@ template <class Sample> Sample sample_from(float value)
     } else {
         return value;
     }
-}
-
-std::size_t first_sample(const Image& image, int x, int y)
-{
-    return (std::size_t(y) * image.width + x) * image.channels;
 }
 
 double srgb_from_linear(double v)
@@ -149,31 +139,6 @@ LinearReader::LinearReader(const Image& image) : image_(image)
     const int last = (1 << bits) - 1;
     for (int v = 0; v <= last; ++v)
         table_.push_back(float(decode(image.encoding, double(v) / last)));
-}
-
-Colour LinearReader::operator()(int x, int y) const
-{
-    Colour color = std::visit(
-        [&](const auto& samples) {
-            using Sample = typename std::decay_t<decltype(samples)>::value_type;
-            const Sample* s = samples.data() + first_sample(image_, x, y);
-            const float alpha = image_.channels == 4 ? s[3] / full_scale<Sample>() : 1.0f;
-            if constexpr (std::is_integral<Sample>::value)
-                return Colour{table_[s[0]], table_[s[1]], table_[s[2]], alpha};
-            else if (image_.encoding.kind == Encoding::Kind::linear)
-                return Colour{s[0], s[1], s[2], alpha};
-            else {
-                const auto d = [&](float v) { return float(decode(image_.encoding, v)); };
-                return Colour{d(s[0]), d(s[1]), d(s[2]), alpha};
-            }
-        },
-        image_.samples);
-    if (image_.channels == 4 && !image_.premultiplied) {
-        color.r *= color.a;
-        color.g *= color.a;
-        color.b *= color.a;
-    }
-    return color;
 }
 
 void store_linear(Image& image, int x, int y, Colour linear)

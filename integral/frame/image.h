@@ -7,6 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -89,14 +91,64 @@ Colour stored_pixel(const Image& image, int x, int y);
 /// Stores a colour without conversion; for integer samples it is rounded and clamped.
 void store_pixel(Image& image, int x, int y, Colour color);
 
+/// Index of the first sample of pixel (x, y).
+inline std::size_t first_sample(const Image& image, int x, int y)
+{
+    return (std::size_t(y) * std::size_t(image.width) + std::size_t(x)) *
+           std::size_t(image.channels);
+}
+
+/// The sample that stands for 1.
+template <class Sample> constexpr float full_scale()
+{
+    return std::is_integral<Sample>::value ? float(std::numeric_limits<Sample>::max()) : 1.0f;
+}
+
 /// Reads pixels as linear light premultiplied by alpha, which is the form for averaging. Uses a
 /// table for integer samples. Refers to the image, which must outlive it.
 class LinearReader {
 public:
     explicit LinearReader(const Image& image);
-    Colour operator()(int x, int y) const;
+    Colour operator()(int x, int y) const
+    {
+        Colour color;
+        use([&](auto read) { color = read(x, y); });
+        return color;
+    }
+
+    /// Calls use(read) once; read(x, y) does what the reader does, without looking at the image's
+    /// form for each pixel.
+    template <class Use> void use(Use use) const
+    {
+        std::visit(
+            [&](const auto& samples) {
+                const bool multiplies = image_.channels == 4 && !image_.premultiplied;
+                use([&, multiplies](int x, int y) {
+                    Colour color = stored(samples.data() + first_sample(image_, x, y));
+                    if (multiplies) {
+                        color.r *= color.a;
+                        color.g *= color.a;
+                        color.b *= color.a;
+                    }
+                    return color;
+                });
+            },
+            image_.samples);
+    }
 
 private:
+    /// A pixel's linear light, before it is premultiplied.
+    template <class Sample> Colour stored(const Sample* s) const
+    {
+        const float alpha = image_.channels == 4 ? s[3] / full_scale<Sample>() : 1.0f;
+        if constexpr (std::is_integral<Sample>::value)
+            return {table_[s[0]], table_[s[1]], table_[s[2]], alpha};
+        if (image_.encoding.kind == Encoding::Kind::linear)
+            return {float(s[0]), float(s[1]), float(s[2]), alpha};
+        const auto d = [&](float v) { return float(decode(image_.encoding, v)); };
+        return {d(float(s[0])), d(float(s[1])), d(float(s[2])), alpha};
+    }
+
     const Image& image_;
     std::vector<float> table_;
 };

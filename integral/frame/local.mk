@@ -20,6 +20,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/frame/image.h \
   integral/frame/linear_colour.cpp \
   integral/frame/linear_colour.h \
+  integral/frame/linear_writer.cpp \
+  integral/frame/linear_writer.h \
   integral/frame/names.cpp \
   integral/frame/names.h \
   integral/frame/picture_fit.cpp \

@@ -17,6 +17,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/optics/film.h \
   integral/optics/film_in_sight.cpp \
   integral/optics/film_in_sight.h \
+  integral/optics/film_seen.cpp \
+  integral/optics/film_seen.h \
   integral/optics/lens_box.cpp \
   integral/optics/lens_box.h \
   integral/optics/lens_mapping.cpp \

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/replay/replay.h"
 
+#include "integral/base/constants.h"
+#include "integral/frame/linear_writer.h"
+#include "integral/optics/film_seen.h"
 #include "integral/optics/lens_surface.h"
 #include "integral/replay/fit_part.h"
 #include "integral/sampling/lens_profile.h"
@@ -11,10 +14,7 @@
 
 namespace integral {
 
-Eye centre_eye(const FrameMetadata& metadata)
-{
-    return {0, 0, viewer_distance(metadata)};
-}
+Eye centre_eye(const FrameMetadata& metadata) { return {0, 0, viewer_distance(metadata)}; }
 
 namespace {
 
@@ -31,9 +31,9 @@ double aberration_spot(const LensSheet& sheet)
             squares += beam->spread * beam->spread;
             ++count;
         }
-    constexpr double degree = 3.14159265358979323846 / 180;
     // A disc's points have a standard deviation of a quarter of its diameter along any direction.
-    return count ? 4 * std::sqrt(squares / count) * degree * sheet.thickness / sheet.ior : 0;
+    return count ? 4 * std::sqrt(squares / count) * radians_per_degree * sheet.thickness / sheet.ior
+                 : 0;
 }
 
 } // namespace
@@ -58,7 +58,12 @@ void set_view_size(View& view, const Film& film, int longer)
 
 namespace {
 
-/// The light that the eye sees at a point of the sheet: linear, premultiplied.
+/// Offsets of film points, mm.
+struct SeenAside {
+    std::array<double, FilmSeenRun::length> x, y;
+};
+
+/// The light that the eye sees at points of the sheet: linear, premultiplied.
 class SheetSeen {
 public:
     SheetSeen(const Frame& frame, const View& view)
@@ -75,19 +80,30 @@ public:
     {
     }
 
-    /// The light at a point of the sheet, from a point `eye` of the pupil's plane. `aside`: offset
-    /// from the film point that is seen.
-    Colour at(Vec2 point, Vec2 eye, Vec2 aside) const
+    /// Calls visit(k, light) for the first `number` points of a run. `aside`: offsets from the film
+    /// points that are seen.
+    template <class Visit>
+    void light(int number, FilmSeenRun& run, const SeenAside& aside, Visit visit) const
     {
-        const auto film_point = projection_ ? film_point_projected(point, eye)
-                                            : film_point_seen(point, eye, distance_);
-        if (!film_point)
-            return outside_;
-        const Vec2 pixel = pixel_from_film(film_, *film_point + aside);
-        if (!(pixel.x >= 0 && pixel.x < film_.width && pixel.y >= 0 && pixel.y < film_.height))
-            return outside_;
-        return film_.subpixels == Subpixels::none ? pixel_(int(pixel.x), int(pixel.y))
-                                                  : subpixels_at(pixel);
+        find_film_points(number, run);
+        for (int k = 0; k < FilmSeenRun::length; ++k) {
+            const Vec2 pixel = pixel_from_film(film_, Vec2{run.film_x[k], run.film_y[k]} +
+                                                          Vec2{aside.x[k], aside.y[k]});
+            run.film_x[k] = pixel.x;
+            run.film_y[k] = pixel.y;
+        }
+        pixel_.use([&](auto read) {
+            for (int k = 0; k < number; ++k) {
+                const Vec2 pixel{run.film_x[k], run.film_y[k]};
+                if (!(pixel.x >= 0 && pixel.x < film_.width && pixel.y >= 0 &&
+                      pixel.y < film_.height))
+                    visit(k, outside_);
+                else if (film_.subpixels == Subpixels::none)
+                    visit(k, read(int(pixel.x), int(pixel.y)));
+                else
+                    visit(k, subpixels_at(pixel, read));
+            }
+        });
     }
 
 private:
@@ -105,6 +121,29 @@ private:
         return film_point_seen(from.sheet_point, from.lens_point, projection_->distance);
     }
 
+    /// The film points of a run; NaN where none is seen.
+    void find_film_points(int number, FilmSeenRun& run) const
+    {
+        if (projection_ || refracts_at_surface(optics_.model())) {
+            for (int k = 0; k < number; ++k) {
+                const Vec2 point{run.x[k], run.y[k]}, eye{run.eye_x[k], run.eye_y[k]};
+                const auto film_point = projection_ ? film_point_projected(point, eye)
+                                                    : film_point_seen(point, eye, distance_);
+                run.film_x[k] = film_point ? film_point->x : NAN;
+                run.film_y[k] = film_point ? film_point->y : NAN;
+            }
+            return;
+        }
+        film_points_seen(optics_, distance_, number, run);
+        if (gap_parts_ != 0)
+            for (int k = 0; k < number; ++k) {
+                const Vec2 point{run.x[k], run.y[k]}, focus{run.film_x[k], run.film_y[k]};
+                const Vec2 film = focus + gap_parts_ * (focus - point);
+                run.film_x[k] = film.x;
+                run.film_y[k] = film.y;
+            }
+    }
+
     /// The film point that is seen at a point of the sheet from `eye`, `distance` in front of it.
     std::optional<Vec2> film_point_seen(Vec2 point, Vec2 eye, double distance) const
     {
@@ -118,12 +157,12 @@ private:
     }
 
     /// Each colour channel from its own nearest subpixel; their pixels' mean alpha.
-    Colour subpixels_at(Vec2 pixel) const
+    template <class Read> Colour subpixels_at(Vec2 pixel, Read read) const
     {
         const auto nearest = [&](int channel) {
             const PixelPlace at = pixel_of_nearest_subpixel(film_.subpixels, pixel, channel);
-            return pixel_(std::clamp(at.column, 0, film_.width - 1),
-                          std::clamp(at.row, 0, film_.height - 1));
+            return read(std::clamp(at.column, 0, film_.width - 1),
+                        std::clamp(at.row, 0, film_.height - 1));
         };
         const Colour red = nearest(0), green = nearest(1), blue = nearest(2);
         return {red.r, green.g, blue.b, (red.a + green.a + blue.a) / 3};
@@ -141,27 +180,52 @@ private:
     Colour outside_;
 };
 
+/// The points of a circle of radius 1 at equal angles.
+const std::vector<Vec2>& circle_points()
+{
+    static const std::vector<Vec2> points = [] {
+        constexpr int number = 4096;
+        std::vector<Vec2> all;
+        for (int k = 0; k < number; ++k) {
+            const double angle = 2 * pi * k / number;
+            all.push_back({std::cos(angle), std::sin(angle)});
+        }
+        return all;
+    }();
+    return points;
+}
+
 /// Points of a disc, spread evenly over the samples of a pixel and differently in each pixel.
 class DiscPoints {
 public:
     /// `steps`: increments of the two coordinates (0 to 1) from sample to sample. `seed` shifts one
     /// disc's points against another's.
     DiscPoints(Vec2 centre, double diameter, Vec2 steps, std::uint64_t seed)
-        : centre_(centre), radius_(0.5 * diameter), steps_(steps), seed_(seed)
+        : centre_(centre),
+          radius_(0.5 * diameter),
+          steps_(steps),
+          seed_(seed),
+          circle_(circle_points())
     {
     }
 
-    Vec2 point(int x, int y, int sample) const
+    /// Where a pixel's points begin, 0 to 1.
+    Vec2 start(int x, int y) const
+    {
+        if (radius_ == 0)
+            return {0, 0};
+        const std::uint64_t bits = random_bits(std::uint64_t(x) ^ seed_, std::uint64_t(y));
+        return {double(bits >> 32) * 0x1p-32, double(bits & 0xffffffff) * 0x1p-32};
+    }
+
+    Vec2 point(Vec2 start, int sample) const
     {
         if (radius_ == 0)
             return centre_;
-        const std::uint64_t bits = random_bits(std::uint64_t(x) ^ seed_, std::uint64_t(y));
-        const auto part = [](double v) { return v - std::floor(v); };
-        const double u = part(double(bits >> 32) * 0x1p-32 + sample * steps_.x);
-        const double v = part(double(bits & 0xffffffff) * 0x1p-32 + sample * steps_.y);
-        constexpr double turn = 6.28318530717958647692;
-        const double r = radius_ * std::sqrt(u);
-        return centre_ + Vec2{r * std::cos(turn * v), r * std::sin(turn * v)};
+        const auto part = [](double v) { return v - double(int(v)); }; // v >= 0
+        const double u = part(start.x + sample * steps_.x), v = part(start.y + sample * steps_.y);
+        return centre_ +
+               (radius_ * std::sqrt(u)) * circle_[std::size_t(v * double(circle_.size()))];
     }
 
 private:
@@ -169,6 +233,7 @@ private:
     double radius_;
     Vec2 steps_;
     std::uint64_t seed_;
+    const std::vector<Vec2>& circle_;
 };
 
 constexpr Vec2 roberts_steps{0.75487766624669276, 0.56984029099805327}; // Roberts (2018)
@@ -206,27 +271,50 @@ std::optional<Image> replay(const Frame& frame, const View& view, int threads,
     // the sheet point offset by `sideways` v.
     const double sideways = view.focus / (view.eye.distance + view.focus);
     Image image = blank_like(frame.image, view.width, view.height);
+    const LinearWriter store(image);
 
     const int n = view.samples;
     const SamplePlaces places = sample_places(view, part_seen(view, *frame.metadata));
     const double weight = 1.0 / (double(n) * n);
+    const int across = view.width * n;
     const auto row = [&](int y) {
-        for (int x = 0; x < view.width; ++x) {
-            double r = 0, g = 0, b = 0, a = 0;
-            for (int j = 0; j < n; ++j)
-                for (int i = 0; i < n; ++i) {
-                    const Vec2 point{places.across[x * n + i], places.down[y * n + j]};
-                    const Vec2 from = pupil.point(x, y, j * n + i);
-                    const Colour c = seen.at(point + sideways * (from - eye), from,
-                                             spot.point(x, y, j * n + i));
-                    r += c.r;
-                    g += c.g;
-                    b += c.b;
-                    a += c.a;
+        std::vector<std::array<double, 4>> sums(std::size_t(view.width));
+        FilmSeenRun run{};
+        SeenAside aside{};
+        std::array<int, FilmSeenRun::length> pixels;
+        for (int j = 0; j < n; ++j)
+            for (int first = 0; first < across; first += FilmSeenRun::length) {
+                const int number = std::min(FilmSeenRun::length, across - first);
+                for (int k = 0; k < number;) {
+                    const int x = (first + k) / n;
+                    const Vec2 pupil_start = pupil.start(x, y), spot_start = spot.start(x, y);
+                    for (int i = (first + k) % n; i < n && k < number; ++i, ++k) {
+                        const Vec2 from = pupil.point(pupil_start, j * n + i),
+                                   point = Vec2{places.across[std::size_t(first + k)],
+                                                places.down[std::size_t(y * n + j)]} +
+                                           sideways * (from - eye),
+                                   beside = spot.point(spot_start, j * n + i);
+                        run.x[k] = point.x;
+                        run.y[k] = point.y;
+                        run.eye_x[k] = from.x;
+                        run.eye_y[k] = from.y;
+                        aside.x[k] = beside.x;
+                        aside.y[k] = beside.y;
+                        pixels[k] = x;
+                    }
                 }
-            store_linear(
-                image, x, y,
-                {float(r * weight), float(g * weight), float(b * weight), float(a * weight)});
+                seen.light(number, run, aside, [&](int k, Colour c) {
+                    std::array<double, 4>& sum = sums[std::size_t(pixels[k])];
+                    sum[0] += c.r;
+                    sum[1] += c.g;
+                    sum[2] += c.b;
+                    sum[3] += c.a;
+                });
+            }
+        for (int x = 0; x < view.width; ++x) {
+            const auto& [r, g, b, a] = sums[std::size_t(x)];
+            store(x, y,
+                  {float(r * weight), float(g * weight), float(b * weight), float(a * weight)});
         }
     };
     if (!for_each_row(view.height, threads, row, progress))

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests pictures in memory, and the parallel loop over rows.
 #include "integral/base/parallel.h"
-#include "integral/frame/image.h"
+#include "integral/frame/linear_writer.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 
 using namespace integral;
@@ -100,6 +101,35 @@ BOOST_AUTO_TEST_CASE(every_row_is_done_once)
             BOOST_TEST(count == 1);
     }
     BOOST_CHECK(for_each_row(0, 4, [](int) { throw std::logic_error("no row"); }));
+}
+
+BOOST_AUTO_TEST_CASE(a_writer_stores_what_store_linear_stores)
+{
+    std::vector<float> lights{-1, 0, 1, 2, NAN, INFINITY};
+    for (int k = 0; k < 200000; ++k)
+        lights.push_back(std::ldexp(float(k % 1000) / 1000, -(k / 1000) / 6));
+    for (const Encoding e :
+         {linear, srgb, power, {Encoding::Kind::power, 0.2}, {Encoding::Kind::power, 90}})
+        for (int sample = 0; sample < 255; ++sample) { // beside the border of two samples
+            const float border = float(decode(e, (sample + 0.5) / 255));
+            for (const float light :
+                 {std::nextafter(border, 0.0f), border, std::nextafter(border, 2.0f)})
+                lights.push_back(light);
+        }
+    for (const Encoding e :
+         {linear, srgb, power, {Encoding::Kind::power, 0.2}, {Encoding::Kind::power, 90}})
+        for (const int channels : {3, 4}) {
+            Image stored = make_image<std::uint8_t>(int(lights.size()), 1, channels, e),
+                  written = stored;
+            const LinearWriter write(written);
+            for (std::size_t k = 0; k < lights.size(); ++k) {
+                const Colour light{lights[k], 0.5f * lights[k], lights[lights.size() - 1 - k],
+                                   0.7f};
+                store_linear(stored, int(k), 0, light);
+                write(int(k), 0, light);
+            }
+            BOOST_CHECK(stored.samples == written.samples);
+        }
 }
 
 BOOST_AUTO_TEST_CASE(work_stops_when_told_or_broken)
