@@ -203,19 +203,56 @@ void refocus(const DepthOptions& o, const DepthInput& input, int threads, const 
     say("depth", holes_text(picture.figures));
 }
 
-/// Reports views that seem to be in reverse order.
-void check_order(const DepthOptions& o, const DepthInput& input, const DepthMap& map)
+/// Views, and the map measured in them.
+struct Measurement {
+    DepthInput input;
+    DepthMap map;
+    double seconds = 0; ///< of measuring
+};
+
+Measurement measurement(const DepthOptions& o, DepthInput input,
+                        const MultibaselineSettings& settings, int threads, const Progress& bar)
 {
-    if (input.frame)
+    soften(input.views, threads);
+    keep_views(input.views, quality_of(o));
+    const auto start = std::chrono::steady_clock::now();
+    auto map = measured(o, input.views, settings, threads, bar);
+    if (!map)
+        throw Interrupted();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    return {std::move(input), std::move(*map), seconds.count()};
+}
+
+/// Measures views again that seem to be in reverse order, and keeps that if it removes the
+/// contradiction. Reports it. An order that the user gave is kept.
+void check_order(const DepthOptions& o, const DepthRequest& request, MultibaselineSettings settings,
+                 int threads, const Progress& bar, Measurement& found)
+{
+    if (found.input.frame)
         return;
-    const HiddenSides hidden = hidden_sides(input.views, map);
-    if (hidden.is_reversed())
-        say("depth", o.inputs[0] + ": at " + std::to_string(hidden.nearer) + " of " +
-                         std::to_string(hidden.nearer + hidden.farther) +
-                         " places on edges, what is measured as nearer is hidden: the views seem "
-                         "to go from " +
-                         (o.given_views.right_to_left ? "left to right; leave --right-to-left out"
-                                                      : "right to left; give --right-to-left"));
+    const HiddenSides hidden = hidden_sides(found.input.views, found.map);
+    if (!hidden.is_reversed())
+        return;
+    const std::string fact = o.inputs[0] + ": at " + std::to_string(hidden.nearer) + " of " +
+                             std::to_string(hidden.nearer + hidden.farther) +
+                             " places on edges, what is measured as nearer is hidden: the views ";
+    if (!request.right_to_left) {
+        DepthRequest turned = request;
+        turned.right_to_left = true;
+        if (settings.range)
+            settings.range = DisparityRange{-settings.range->greatest, -settings.range->least};
+        Measurement again = measurement(
+            o, read_depth_input(o.inputs, turned, threads, piece_of(bar, 0, 2)), settings, threads,
+            piece_of(bar, 1, 2));
+        if (!hidden_sides(again.input.views, again.map).is_reversed()) {
+            say("depth", fact + "go from right to left, and are measured again in that order");
+            found = std::move(again);
+            return;
+        }
+    }
+    say("depth", fact + "seem to go from " +
+                     (request.right_to_left ? "left to right; leave --right-to-left out"
+                                            : "right to left; give --right-to-left"));
 }
 
 int run(const DepthOptions& o)
@@ -229,18 +266,13 @@ int run(const DepthOptions& o)
         DepthInput input = read_depth_input(o.inputs, request, threads, piece_of(bar, 0, 2));
         if (o.refocus)
             return refocus(o, input, threads, piece_of(bar, 1, 2));
-        soften(input.views, threads);
-        keep_views(input.views, quality_of(o));
-        const auto start = std::chrono::steady_clock::now();
-        const auto map = measured(o, input.views, settings, threads, piece_of(bar, 1, 2));
-        if (!map)
-            throw Interrupted();
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        check_order(o, input, *map);
+        Measurement found = measurement(o, std::move(input), settings, threads,
+                                        piece_of(bar, 1, 2));
+        check_order(o, request, settings, threads, bar, found);
         if (o.output)
-            write(o,
-                  upright_map(input.views, *map, input.width, input.height, o.width.value_or(0)));
-        print_figures(o, input, *map, seconds.count());
+            write(o, upright_map(found.input.views, found.map, found.input.width,
+                                 found.input.height, o.width.value_or(0)));
+        print_figures(o, found.input, found.map, found.seconds);
     });
     return exit_done;
 }
