@@ -74,12 +74,19 @@ DisparityRange range_of(const std::vector<float>& sure)
     return {least - margin, greatest + margin};
 }
 
+/// The range with a quarter of its length more at each end, for parts without visible texture.
+DisparityRange with_room(DisparityRange range)
+{
+    const double room = 0.25 * (range.greatest - range.least);
+    return {range.least - room, range.greatest + room};
+}
+
 } // namespace
 
 DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, int threads)
 {
     constexpr double usual = 4, widest = 16;
-    constexpr std::size_t least_number = 20;
+    constexpr std::size_t least_number = 20, many = 200;
     VoteSettings rough = settings; // a coarse step needs more tolerance
     rough.tolerance = std::max(settings.tolerance, 0.5 * rough_step * farthest_shift(views));
     rough.cross = true; // other views would add time, and false matches if views have few pixels
@@ -92,6 +99,11 @@ DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, in
     // The scene extends beyond the usual range, or few pixels are confident. Distant parts may lack
     // visible texture, so the far end is at infinity.
     const auto wide = sure_disparities(views, rough, widest, threads);
+    if (!views.scale && wide.size() >= many) { // where infinity is, is not known
+        const DisparityRange room = with_room(range_of(wide));
+        if (room.least > -widest && room.greatest < widest)
+            return room;
+    }
     const double nearest = wide.size() >= least_number ? range_of(wide).greatest : usual;
     return {-std::min(widest, views.scale ? views.scale->ratio : widest), std::max(usual, nearest)};
 }
