@@ -193,7 +193,7 @@ void SceneRenders::end()
 
 void SceneRenders::work()
 {
-    if (Clock::now() - watched_ > time_between_looks)
+    if (!is_watching_ || Clock::now() - watched_ > time_between_looks)
         watch_files();
     if (job_ && is_abandoned())
         job_.reset();

@@ -135,7 +135,7 @@ private:
     std::unique_ptr<Job> job_;
     std::vector<std::pair<std::string, std::string>> files_; ///< of the scene, with their stamps
     bool is_watching_ = false;                               ///< whether files_ has been filled
-    Clock::time_point watched_ = Clock::now();
+    Clock::time_point watched_;                              ///< when files_ were last looked at
 };
 
 } // namespace integral
