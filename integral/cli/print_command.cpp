@@ -69,6 +69,8 @@ int print_frame(const PrintOptions& o)
     const PrintSettings settings = settings_of(o, frame);
     FramePrint print = usage_checked(o.inputs[0] + ": ",
                                      [&] { return FramePrint(frame, settings); });
+    if (o.printer && !print.inks().empty())
+        throw UsageError("--printer takes no CMYK profile; write a .pdf or .tiff for the press");
     stop_if_interrupted();
     if (output == "-" && print.page_count() > 1)
         throw UsageError("-o -: " + std::to_string(print.page_count()) +

@@ -96,7 +96,8 @@ void declare(options::options_description& all, PrintOptions& o)
     add(all, "overlap", o.overlap, "MM", "of neighbouring tiles (default 10)");
     add(all, "bits", o.bits, "N", "8 or 16 bits for each colour (default: the frame's)");
     add(all, "icc", o.icc, "FILE",
-        "the printer's ICC profile, to whose colours the page is converted (default: sRGB)");
+        "the printer's ICC profile, to whose colours the page is converted (default: sRGB); of a "
+        "CMYK press: TIFF in inks, or PDF/X-4");
     add(all, "intent", o.intent, "INTENT",
         "perceptual, relative (default), saturation or absolute");
     add(all, "printer", o.printer, "NAME",

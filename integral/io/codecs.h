@@ -30,6 +30,8 @@ struct DecodedImage {
     bool grey = false;               ///< the file has one channel, read as three equal ones
     bool colours_converted = false;  ///< from a profile, so that a document's encoding no longer
                                      ///< applies
+    std::vector<std::string> inks{}; ///< names of the channels if they are inks: cyan, magenta,
+                                     ///< yellow, black, and spot inks. Only for writing TIFF
 };
 
 /// Reads a picture row by row, from the top.
@@ -155,8 +157,8 @@ public:
 };
 
 /// Each accepts the forms that its format can store: PNG 8 or 16 bits, not premultiplied; EXR 32
-/// bits, linear, premultiplied; TIFF any. An empty document is not written. Only size and form of
-/// `head.image` are used, not its samples. The sink must outlive the writer. All throw
+/// bits, linear, premultiplied; TIFF any, and inks. An empty document is not written. Only size and
+/// form of `head.image` are used, not its samples. The sink must outlive the writer. All throw
 /// std::runtime_error with the reason, and whatever the sink throws.
 std::unique_ptr<RowWriter> write_png(ByteSink& sink, const DecodedImage& head);
 std::unique_ptr<RowWriter> write_exr(ByteSink& sink, const DecodedImage& head);

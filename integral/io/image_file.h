@@ -143,10 +143,12 @@ public:
     static PictureWriter of_frame(const std::string& path, const Image& form,
                                   const std::optional<FrameMetadata>& metadata);
 
-    /// Writes the same file as write_page.
+    /// Writes the same file as write_page. `inks`: names of the channels if they are inks, which
+    /// only TIFF can hold.
     static PictureWriter of_page(const std::string& path, const Image& form, Vec2 pixel_pitch,
                                  const std::string& profile,
-                                 const std::optional<FrameMetadata>& geometry);
+                                 const std::optional<FrameMetadata>& geometry,
+                                 const std::vector<std::string>& inks = {});
 
     PictureWriter(PictureWriter&&) noexcept;
     ~PictureWriter(); ///< keeps an old file at the path unless finish() was called

@@ -110,10 +110,12 @@ PictureWriter PictureWriter::of_frame(const std::string& path, const Image& form
 
 PictureWriter PictureWriter::of_page(const std::string& path, const Image& form, Vec2 pixel_pitch,
                                      const std::string& profile,
-                                     const std::optional<FrameMetadata>& geometry)
+                                     const std::optional<FrameMetadata>& geometry,
+                                     const std::vector<std::string>& inks)
 {
     DecodedImage head;
     head.image = form_of(form);
+    head.inks = inks;
     if (geometry)
         head.document = to_json(*geometry);
     head.pixel_pitch = pixel_pitch;

@@ -152,6 +152,17 @@ int PdfFile::add_stream(const std::string& entries, const std::string& bytes)
     return add_stream(entries, [&](const TakeBytes& take) { take(bytes.data(), bytes.size()); });
 }
 
+int PdfFile::add_plain_stream(const std::string& entries, const std::string& bytes)
+{
+    return add("<< " + entries + " /Length " + std::to_string(bytes.size()) + " >>\nstream\n" +
+               bytes + "\nendstream");
+}
+
+std::string PdfFile::digest() const
+{
+    return formatted("%08llx%08llx", crc_, adler_) + formatted("%016llx", sink_.size());
+}
+
 void PdfFile::finish(int catalog, int about)
 {
     const std::string size = std::to_string(places_.size() + 1);
@@ -162,8 +173,7 @@ void PdfFile::finish(int catalog, int about)
             throw std::logic_error("an object of a PDF was not written");
         put(formatted("%010llu 00000 n \n", place));
     }
-    const std::string identifier = "<" + formatted("%08llx%08llx", crc_, adler_) +
-                                   formatted("%016llx", table) + ">";
+    const std::string identifier = "<" + digest() + ">";
     put("trailer\n<< /Size " + size + " /Root " + reference(catalog) + " /Info " +
         reference(about) + " /ID [ " + identifier + " " + identifier + " ] >>\nstartxref\n" +
         std::to_string(table) + "\n%%EOF\n");

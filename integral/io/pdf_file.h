@@ -41,6 +41,12 @@ public:
                    const std::function<void(const TakeBytes&)>& provide);
     int add_stream(const std::string& entries, const std::string& bytes);
 
+    /// Writes a stream without compression, as readers of metadata expect it; returns its number.
+    int add_plain_stream(const std::string& entries, const std::string& bytes);
+
+    /// 32 hexadecimal digits that identify the bytes written so far.
+    std::string digest() const;
+
     /// Writes the cross-reference table and the trailer. `catalog` and `about` are the numbers of
     /// the document catalog and the document information dictionary. Throws std::logic_error if the
     /// object of a reserved number was not written.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Writes TIFF: the document in ImageDescription, the resolution in the resolution tags. 8 or 16 bit
-// integers or 32 bit floats; grey or RGB, with or without alpha; in strips.
+// integers or 32 bit floats; grey or RGB, with or without alpha, or inks; in strips.
 #include "integral/io/codecs.h"
 #include "integral/io/tiff_stream.h"
 
@@ -28,13 +28,17 @@ public:
                      bits == 32 ? SAMPLEFORMAT_IEEEFP : SAMPLEFORMAT_UINT);
         TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
         TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC,
-                     image.channels == 1 ? PHOTOMETRIC_MINISBLACK : PHOTOMETRIC_RGB);
+                     !head.inks.empty()    ? PHOTOMETRIC_SEPARATED
+                     : image.channels == 1 ? PHOTOMETRIC_MINISBLACK
+                                           : PHOTOMETRIC_RGB);
         TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
         TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
         TIFFSetField(tiff, TIFFTAG_PREDICTOR,
                      bits == 32 ? PREDICTOR_FLOATINGPOINT : PREDICTOR_HORIZONTAL);
         TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
-        if (image.channels == 4) {
+        if (!head.inks.empty()) {
+            set_inks(head.inks);
+        } else if (image.channels == 4) {
             const std::uint16_t kind = image.premultiplied ? EXTRASAMPLE_ASSOCALPHA
                                                            : EXTRASAMPLE_UNASSALPHA;
             TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &kind);
@@ -70,6 +74,22 @@ public:
     }
 
 private:
+    /// The first four inks are cyan, magenta, yellow and black; spot inks are extra samples, so
+    /// that readers of CMYK find their colours.
+    void set_inks(const std::vector<std::string>& inks)
+    {
+        TIFF* tiff = tiff_.get();
+        TIFFSetField(tiff, TIFFTAG_INKSET, INKSET_CMYK);
+        const std::vector<std::uint16_t> spots(inks.size() - 4, EXTRASAMPLE_UNSPECIFIED);
+        if (spots.empty())
+            return;
+        TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, std::uint16_t(spots.size()), spots.data());
+        std::string names; // each ends in a zero byte
+        for (const std::string& ink : inks)
+            names += ink + '\0';
+        TIFFSetField(tiff, TIFFTAG_INKNAMES, std::uint16_t(names.size()), names.data());
+    }
+
     void check(bool done) const
     {
         if (stream_.failure)

@@ -34,31 +34,51 @@ ProfileTransform::ProfileTransform(const std::string& bytes, int bits, Intent in
     const cmsProfileClassSignature kind = cmsGetDeviceClass(target.get());
     if (kind != cmsSigOutputClass && kind != cmsSigDisplayClass && kind != cmsSigColorSpaceClass)
         throw std::runtime_error("it is no printer's profile");
-    if (cmsGetColorSpace(target.get()) != cmsSigRgbData)
-        throw std::runtime_error("it is the profile of a device that takes no RGB");
-    const cmsUInt32Number type = bits == 8 ? TYPE_RGB_8 : TYPE_RGB_16;
+    const bool cmyk = cmsGetColorSpace(target.get()) == cmsSigCmykData;
+    if (!cmyk && cmsGetColorSpace(target.get()) != cmsSigRgbData)
+        throw std::runtime_error("it is the profile of a device that takes neither RGB nor CMYK");
+    if (cmyk && kind != cmsSigOutputClass)
+        throw std::runtime_error("it is a CMYK profile, but no press's");
+    channels_ = cmyk ? 4 : 3;
+    const cmsUInt32Number from = bits == 8 ? TYPE_RGB_8 : TYPE_RGB_16,
+                          inks = bits == 8 ? TYPE_CMYK_8 : TYPE_CMYK_16;
     constexpr cmsUInt32Number intents[] = {INTENT_PERCEPTUAL, INTENT_RELATIVE_COLORIMETRIC,
                                            INTENT_SATURATION, INTENT_ABSOLUTE_COLORIMETRIC};
     const cmsUInt32Number flags = intent == Intent::relative ? cmsFLAGS_BLACKPOINTCOMPENSATION : 0;
-    void* transform = cmsCreateTransform(source.get(), type, target.get(), type,
-                                         intents[int(intent)], flags | cmsFLAGS_NOCACHE);
+    void* transform = cmsCreateTransform(source.get(), from, target.get(), cmyk ? inks : from,
+                                         intents[int(intent)],
+                                         flags | cmsFLAGS_NOCACHE | cmsFLAGS_HIGHRESPRECALC);
     if (!transform)
         throw std::runtime_error("it is no profile that colours can be converted to");
     transform_.reset(transform, cmsDeleteTransform);
 }
 
-void ProfileTransform::apply(Image& picture) const
+Image ProfileTransform::apply(Image picture) const
 {
+    Image inks;
+    if (channels_ == 4)
+        inks = blank_like(form_of(sample_bits(picture), 0, 0, channels_, picture.encoding),
+                          picture.width, picture.height);
     for_each_row(picture.height, 0, [&](int y) {
         unsigned char* row = row_bytes(picture, y);
-        cmsDoTransform(transform_.get(), row, row, cmsUInt32Number(picture.width));
+        cmsDoTransform(transform_.get(), row, channels_ == 4 ? row_bytes(inks, y) : row,
+                       cmsUInt32Number(picture.width));
     });
+    return channels_ == 4 ? inks : picture;
 }
 
 Image in_profile(Image picture, const std::string& profile, Intent intent)
 {
-    ProfileTransform(profile, sample_bits(picture), intent).apply(picture);
-    return picture;
+    return ProfileTransform(profile, sample_bits(picture), intent).apply(std::move(picture));
+}
+
+std::string profile_description(const std::string& bytes)
+{
+    const Profile profile(cmsOpenProfileFromMem(bytes.data(), cmsUInt32Number(bytes.size())));
+    char text[256] = "";
+    if (profile)
+        cmsGetProfileInfoASCII(profile.get(), cmsInfoDescription, "en", "US", text, sizeof text);
+    return text;
 }
 
 } // namespace integral

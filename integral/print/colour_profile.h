@@ -15,20 +15,28 @@ enum class Intent { perceptual, relative, saturation, absolute };
 /// The profile of sRGB: the bytes of an ICC file, the same in every run.
 std::string srgb_profile();
 
-/// Converts sRGB colours to the colours of an RGB device.
+/// Converts sRGB colours to the colours of an RGB device or the inks of a CMYK press.
 class ProfileTransform {
 public:
     /// `profile`: the bytes of the device's ICC file. `bits`: 8 or 16, of the pictures' samples.
-    /// Throws std::runtime_error, with a sentence for the user, if the bytes are no ICC profile or
-    /// the device is not RGB.
+    /// The relative intent compensates for the black point; black ink is generated as the profile
+    /// has it. Throws std::runtime_error, with a sentence for the user, if the bytes are no ICC
+    /// profile or the device is neither RGB nor CMYK.
     ProfileTransform(const std::string& profile, int bits, Intent intent);
 
-    /// Converts a picture in place: three channels, encoded in sRGB.
-    void apply(Image& picture) const;
+    /// Three (R, G, B), or four (C, M, Y, K, where full scale is full ink).
+    int channels() const { return channels_; }
+
+    /// Returns a picture (three channels, encoded in sRGB) in the device's colours.
+    Image apply(Image picture) const;
 
 private:
     std::shared_ptr<void> transform_;
+    int channels_ = 3;
 };
+
+/// The description in an ICC file's bytes, in ASCII; empty if it has none.
+std::string profile_description(const std::string& profile);
 
 /// Converts a picture by a ProfileTransform. Throws as its constructor does.
 Image in_profile(Image picture, const std::string& profile, Intent intent);

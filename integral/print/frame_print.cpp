@@ -15,12 +15,16 @@
 namespace integral {
 namespace {
 
-/// Today's date, or the date in SOURCE_DATE_EPOCH.
+/// The time now, or the time in SOURCE_DATE_EPOCH.
+std::time_t time_of_print()
+{
+    const char* fixed = std::getenv("SOURCE_DATE_EPOCH");
+    return fixed ? std::time_t(std::strtoll(fixed, nullptr, 10)) : std::time(nullptr);
+}
+
 std::string today()
 {
-    std::time_t now = std::time(nullptr);
-    if (const char* fixed = std::getenv("SOURCE_DATE_EPOCH"))
-        now = std::time_t(std::strtoll(fixed, nullptr, 10));
+    const std::time_t now = time_of_print();
     std::tm day;
     char text[40];
     if (!gmtime_r(&now, &day) || std::strftime(text, sizeof text, "%Y-%m-%d", &day) == 0)
@@ -143,6 +147,7 @@ FramePrint::FramePrint(FrameReader& frame, const PrintSettings& settings)
     } catch (const std::runtime_error& error) {
         throw InputError(*settings.profile + ": " + error.what());
     }
+    form_.channels = transform_->channels();
 }
 
 /// Rows of the picture in the profile's colours. Going back reads the file from its start again.
@@ -163,9 +168,14 @@ Image FramePrint::rows(int first, int count)
     while (next_ < first)
         read(std::min(rows_of_a_band(frame), first - next_));
     Image picture = over_white(read(count), sample_bits(form_));
-    if (transform_)
-        transform_->apply(picture);
-    return picture;
+    return transform_ ? transform_->apply(std::move(picture)) : picture;
+}
+
+std::vector<std::string> FramePrint::inks() const
+{
+    if (form_.channels == 3)
+        return {};
+    return {"Cyan", "Magenta", "Yellow", "Black"};
 }
 
 PictureRows FramePrint::row_source()
@@ -184,14 +194,14 @@ PictureWriter FramePrint::page_writer(const Page& page, const std::string& path)
     Image form = form_;
     form.width = page.width;
     form.height = page.height;
-    return PictureWriter::of_page(path, form, pixel_pitch_, profile_, geometry);
+    return PictureWriter::of_page(path, form, pixel_pitch_, profile_, geometry, inks());
 }
 
 void FramePrint::write_pdf_file(const std::string& path)
 {
     OutputFile file(path);
     with_errors_named<std::exception>(
-        [&] { write_pdf(file, pages_, form_, row_source(), profile_, title_); },
+        [&] { write_pdf(file, pages_, form_, row_source(), profile_, title_, time_of_print()); },
         [&](const std::exception& error) { return OutputError(path + ": " + reason_of(error)); });
     file.finish();
 }
@@ -222,7 +232,11 @@ void FramePrint::write_pictures(const std::string& path, const Progress& progres
 
 void FramePrint::write(const std::string& path, const Progress& progress)
 {
-    if (page_format(path) == PageFormat::pdf)
+    const PageFormat format = page_format(path);
+    if (format == PageFormat::png && !inks().empty())
+        throw OutputError(display_name(path, "standard output") +
+                          ": PNG holds no CMYK; name a .tiff or .pdf");
+    if (format == PageFormat::pdf)
         write_pdf_file(path);
     else
         write_pictures(path, progress);

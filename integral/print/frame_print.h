@@ -38,7 +38,8 @@ struct PrintSettings {
     PageRequest page;                   ///< layout of the pages
     std::string title;                  ///< of the document
     int bits = 0;                       ///< for each colour, 8 or 16; 0: as many as the frame has
-    std::optional<std::string> profile; ///< path of the printer's ICC profile; by default sRGB
+    std::optional<std::string> profile; ///< path of the printer's ICC profile, RGB or CMYK;
+                                        ///< by default sRGB
     Intent intent = Intent::relative;
 };
 
@@ -51,13 +52,16 @@ public:
 
     int page_count() const { return int(pages_.size()); }
 
+    /// Names of the pages' inks; empty if the profile is RGB.
+    std::vector<std::string> inks() const;
+
     /// Writes the pages to one .pdf, or as pictures, with numbers if there are several, and with
-    /// their geometry if they can be replayed. `progress` counts pages; it is not called for a
-    /// .pdf. Throws std::invalid_argument if a page cannot be drawn, InputError, OutputError,
-    /// Interrupted.
+    /// their geometry if they can be replayed. A .pdf of inks is a PDF/X-4. `progress` counts
+    /// pages; it is not called for a .pdf. Throws std::invalid_argument if a page cannot be drawn,
+    /// InputError, OutputError, Interrupted.
     void write(const std::string& path, const Progress& progress = {});
 
-    /// The pages as pictures in memory. Throws as `write` does.
+    /// The pages as pictures in memory, in R, G and B or in inks. Throws as `write` does.
     std::vector<Image> pictures();
 
 private:

@@ -2,6 +2,7 @@
 # Sources of integral/print: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/print/cairo_handles.h \
   integral/print/chart_lines.cpp \
   integral/print/chart_lines.h \
   integral/print/chart_page.cpp \
@@ -20,8 +21,12 @@ build_lib_libintegral_a_SOURCES += \
   integral/print/page_pdf.h \
   integral/print/page_raster.cpp \
   integral/print/page_raster.h \
+  integral/print/page_text.cpp \
+  integral/print/page_text.h \
   integral/print/paper.cpp \
   integral/print/paper.h \
+  integral/print/pdfx.cpp \
+  integral/print/pdfx.h \
   integral/print/pitch_chart.cpp \
   integral/print/pitch_chart.h \
   integral/print/pitch_report.cpp \

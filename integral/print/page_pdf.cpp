@@ -2,7 +2,8 @@
 #include "integral/print/page_pdf.h"
 
 #include "integral/base/number_text.h"
-#include "integral/io/pdf_file.h"
+#include "integral/print/page_text.h"
+#include "integral/print/pdfx.h"
 
 #include <vector>
 
@@ -47,7 +48,21 @@ std::vector<unsigned char> samples_of(const Image& image)
     return bytes;
 }
 
-std::string content_of(const Page& page)
+/// The strip in black: letters of a font or, of inks, outlines, since a PDF/X holds all its fonts.
+std::string strip_of(const Page& page, bool inks)
+{
+    if (page.strip.empty())
+        return "";
+    if (inks)
+        return "0 0 0 1 k\n" + strip_outlines(page);
+    const Points points{page};
+    return "BT /Plain " + number(page.strip_size * points_per_mm) + " Tf " +
+           number(page.strip_place.x * points_per_mm) + " " +
+           number(points.y(page.strip_place.y / page.pixel_pitch.y)) + " Td " +
+           pdf_latin_text(page.strip) + " Tj ET\n";
+}
+
+std::string content_of(const Page& page, bool inks)
 {
     const Points points{page};
     std::string text;
@@ -62,27 +77,24 @@ std::string content_of(const Page& page)
             number(points.y(page.y + page.part.height - inset)) + " cm /Picture Do Q\n";
     if (page.mirrored)
         text += "-1 0 0 1 " + number(points.x(page.width)) + " 0 cm\n";
-    text += number(points.x(1)) + " w 0 G 0 g\n";
+    text += number(points.x(1)) + (inks ? " w /Marks CS 1 SCN\n" : " w 0 G 0 g\n");
     const auto place = [&](Vec2 mm) {
         return number(mm.x * points_per_mm) + " " + number(points.y(mm.y / page.pixel_pitch.y));
     };
     for (const PageLine& line : page.lines)
         text += place(line.from) + " m " + place(line.to) + " l S\n";
-    if (!page.strip.empty())
-        text += "BT /Plain " + number(page.strip_size * points_per_mm) + " Tf " +
-                place(page.strip_place) + " Td " + pdf_latin_text(page.strip) + " Tj ET\n";
-    return text;
+    return text + strip_of(page, inks);
 }
 
 /// Adds the page's part of the picture; returns its object's number.
 int add_picture(PdfFile& pdf, const Page& page, const Image& form, const PictureRows& picture,
-                int colour_space)
+                const std::string& colour_space)
 {
     const std::string entries = "/Type /XObject /Subtype /Image /Width " +
                                 std::to_string(page.part.width) + " /Height " +
                                 std::to_string(page.part.height) + " /BitsPerComponent " +
-                                std::to_string(sample_bits(form)) + " /ColorSpace " +
-                                reference(colour_space) + " /Interpolate false";
+                                std::to_string(sample_bits(form)) + " /ColorSpace " + colour_space +
+                                " /Interpolate false";
     return pdf.add_stream(entries, [&](const PdfFile::TakeBytes& take) {
         draw_part(page, form, picture, [&](const Image& rows) {
             const std::vector<unsigned char> bytes = samples_of(rows);
@@ -91,42 +103,69 @@ int add_picture(PdfFile& pdf, const Page& page, const Image& form, const Picture
     });
 }
 
-/// Adds the page itself; returns its object's number.
-int add_page(PdfFile& pdf, const Page& page, int parent, int picture, int font)
+/// Colours and resources that all pages share.
+struct Shared {
+    bool inks = false;
+    std::string colour_space; ///< of the picture
+    std::string resources;    ///< the font of the strip, or the colour of the marks
+};
+
+Shared add_shared(PdfFile& pdf, bool inks, const std::string& profile)
 {
-    const int content = pdf.add_stream("", content_of(page));
+    Shared shared;
+    shared.inks = inks;
+    if (inks) {
+        const int marks = pdf.add("[ /Separation /All /DeviceCMYK << /FunctionType 2 /Domain [0 1] "
+                                  "/C0 [0 0 0 0] /C1 [1 1 1 1] /N 1 >> ]");
+        shared.colour_space = "/DeviceCMYK";
+        shared.resources = "/ColorSpace << /Marks " + reference(marks) + " >>";
+        return shared;
+    }
+    const int colours = pdf.add_stream("/N 3 /Alternate /DeviceRGB", profile);
+    shared.colour_space = reference(pdf.add("[ /ICCBased " + reference(colours) + " ]"));
+    const int font = pdf.add("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica "
+                             "/Encoding /WinAnsiEncoding >>");
+    shared.resources = "/Font << /Plain " + reference(font) + " >>";
+    return shared;
+}
+
+/// Adds the page itself; returns its object's number.
+int add_page(PdfFile& pdf, const Page& page, int parent, int picture, const Shared& shared)
+{
+    const int content = pdf.add_stream("", content_of(page, shared.inks));
     const Points points{page};
     const std::string paper = points.box({0, 0, page.width, page.height});
     return pdf.add("<< /Type /Page /Parent " + reference(parent) + " /MediaBox " + paper +
                    " /CropBox " + paper + " /BleedBox " +
                    points.box({page.x, page.y, page.part.width, page.part.height}) + " /TrimBox " +
                    points.box(page.trimmed) + " /Resources << /XObject << /Picture " +
-                   reference(picture) + " >> /Font << /Plain " + reference(font) +
-                   " >> >> /Contents " + reference(content) + " >>");
+                   reference(picture) + " >> " + shared.resources + " >> /Contents " +
+                   reference(content) + " >>");
 }
 
 } // namespace
 
 void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form,
-               const PictureRows& picture, const std::string& profile, const std::string& title)
+               const PictureRows& picture, const std::string& profile, const std::string& title,
+               std::time_t created)
 {
     PdfFile pdf(sink);
-    const int colours = pdf.add_stream("/N 3 /Alternate /DeviceRGB", profile);
-    const int colour_space = pdf.add("[ /ICCBased " + reference(colours) + " ]");
-    const int font = pdf.add("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica "
-                             "/Encoding /WinAnsiEncoding >>");
+    const Shared shared = add_shared(pdf, form.channels > 3, profile);
     const int all_pages = pdf.reserve();
     std::string kids;
     for (const Page& page : pages) {
-        const int part = add_picture(pdf, page, form, picture, colour_space);
-        kids += reference(add_page(pdf, page, all_pages, part, font)) + " ";
+        const int part = add_picture(pdf, page, form, picture, shared.colour_space);
+        kids += reference(add_page(pdf, page, all_pages, part, shared)) + " ";
     }
     pdf.write(all_pages, "<< /Type /Pages /Kids [ " + kids + "] /Count " +
                              std::to_string(pages.size()) + " >>");
+    PdfxEntries entries{"", "<< /Title " + pdf_text(title) + " /Producer (povray-integral) >>"};
+    if (shared.inks)
+        entries = add_pdfx(pdf, {profile, title, created});
     const int catalog = pdf.add("<< /Type /Catalog /Pages " + reference(all_pages) +
-                                " /ViewerPreferences << /PrintScaling /None >> >>");
-    const int about = pdf.add("<< /Title " + pdf_text(title) + " /Producer (povray-integral) >>");
-    pdf.finish(catalog, about);
+                                " /ViewerPreferences << /PrintScaling /None >>" + entries.catalog +
+                                " >>");
+    pdf.finish(catalog, pdf.add(entries.about));
 }
 
 } // namespace integral

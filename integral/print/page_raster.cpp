@@ -2,8 +2,8 @@
 #include "integral/print/page_raster.h"
 
 #include "integral/base/memory.h"
-
-#include <cairo.h>
+#include "integral/print/cairo_handles.h"
+#include "integral/print/page_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,6 @@
 
 namespace integral {
 namespace {
-
-struct Release {
-    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
 
 /// Whether a shape from `top` to `bottom`, in pixels of the page, may have ink in the `rows` rows
 /// from `first` on.
@@ -55,46 +50,30 @@ void draw_strip(cairo_t* c, const Page& page, int first, int rows)
     cairo_font_options_set_antialias(plain, CAIRO_ANTIALIAS_NONE);
     cairo_set_font_options(c, plain);
     cairo_font_options_destroy(plain);
-    cairo_select_font_face(c, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_matrix_t size;
-    cairo_matrix_init_scale(&size, page.strip_size / page.pixel_pitch.x,
-                            page.strip_size / page.pixel_pitch.y);
-    cairo_set_font_matrix(c, &size);
-    // Capitals, or a font with broad letters, would run over the paper's edge, so they are
-    // narrowed.
-    cairo_text_extents_t extents;
-    cairo_text_extents(c, page.strip.c_str(), &extents);
-    const double room = page.width - page.strip_place.x / page.pixel_pitch.x;
-    if (extents.x_advance > 0.98 * room) {
-        size.xx *= 0.98 * room / extents.x_advance;
-        cairo_set_font_matrix(c, &size);
-    }
+    select_strip_font(c, page, {1 / page.pixel_pitch.x, 1 / page.pixel_pitch.y});
     cairo_move_to(c, page.strip_place.x / page.pixel_pitch.x,
                   page.strip_place.y / page.pixel_pitch.y);
     cairo_show_text(c, page.strip.c_str());
 }
 
-/// For each pixel of some rows of a page, whether marks or strip make it black: row by row, not
-/// mirrored; empty if the page has neither marks nor strip. The page is drawn in pieces, because
-/// cairo allows at most 32767 pixels a side.
-std::vector<bool> ink_of(const Page& page, int first, int rows)
+using Draw = void (*)(cairo_t* c, const Page& page, int first, int rows);
+
+/// For each pixel of some rows of a page, whether `draw` puts ink on it: row by row, not mirrored.
+/// The page is drawn in pieces, because cairo allows at most 32767 pixels a side.
+std::vector<bool> ink_of(const Page& page, int first, int rows, Draw draw)
 {
-    if (page.lines.empty() && page.strip.empty())
-        return {};
     constexpr int most_columns = 8192;
     std::vector<bool> ink(std::size_t(page.width) * rows);
     for (int left = 0; left < page.width; left += most_columns) {
         const int columns = std::min(most_columns, page.width - left);
-        const std::unique_ptr<cairo_surface_t, Release> surface(
-            cairo_image_surface_create(CAIRO_FORMAT_A8, columns, rows));
-        const std::unique_ptr<cairo_t, Release> cairo(cairo_create(surface.get()));
+        const SurfaceHandle surface(cairo_image_surface_create(CAIRO_FORMAT_A8, columns, rows));
+        const CairoHandle cairo(cairo_create(surface.get()));
         cairo_t* c = cairo.get();
         cairo_translate(c, -left, -first);
         cairo_set_antialias(c, CAIRO_ANTIALIAS_NONE);
         cairo_set_line_width(c, 1);
         cairo_set_line_cap(c, CAIRO_LINE_CAP_SQUARE);
-        draw_lines(c, page, first, rows);
-        draw_strip(c, page, first, rows);
+        draw(c, page, first, rows);
         cairo_surface_flush(surface.get());
         const cairo_status_t status = cairo_status(c);
         if (status != CAIRO_STATUS_SUCCESS)
@@ -108,6 +87,20 @@ std::vector<bool> ink_of(const Page& page, int first, int rows)
                     ink[std::size_t(y) * page.width + left + x] = true;
     }
     return ink;
+}
+
+/// Paints pixels of `band`, the page's rows from row `first` on, that `draw` puts ink on, with the
+/// bytes of `colour`.
+void paint(const Page& page, int first, Draw draw, const std::vector<unsigned char>& colour,
+           Image& band)
+{
+    const std::vector<bool> ink = ink_of(page, first, band.height, draw);
+    for (int y = 0; y < band.height; ++y) {
+        unsigned char* row = row_bytes(band, y);
+        for (int x = 0; x < page.width; ++x)
+            if (ink[std::size_t(y) * page.width + (page.mirrored ? page.width - 1 - x : x)])
+                std::copy(colour.begin(), colour.end(), row + colour.size() * x);
+    }
 }
 
 std::size_t pixel_bytes(const Image& form)
@@ -133,18 +126,22 @@ void copy_part(const Page& page, const unsigned char* row, std::size_t pixel, un
 void draw_rows(const Page& page, int first, const Image& part, int part_first, Image& band)
 {
     const std::size_t pixel = pixel_bytes(band);
-    const std::vector<bool> ink = ink_of(page, first, band.height);
+    const bool inks = band.channels > 3;
+    for (int y = 0; y < band.height; ++y)
+        std::memset(row_bytes(band, y), inks ? 0 : 0xff, pixel * page.width);
+    // Marks are of all inks, which shows whether the inks lie upon each other; text is of black.
+    const std::size_t sample = pixel / std::size_t(band.channels);
+    std::vector<unsigned char> mark(pixel, inks ? 0xff : 0), text(pixel, 0);
+    if (inks)
+        std::fill_n(text.begin() + std::ptrdiff_t(3 * sample), sample, 0xff);
+    if (!page.lines.empty())
+        paint(page, first, draw_lines, mark, band);
+    if (!page.strip.empty())
+        paint(page, first, draw_strip, text, band);
     const int left = page.mirrored ? page.width - page.x - page.part.width : page.x;
-    for (int y = 0; y < band.height; ++y) {
-        unsigned char* row = row_bytes(band, y);
-        std::memset(row, 0xff, pixel * page.width);
-        for (int x = 0; x < (ink.empty() ? 0 : page.width); ++x)
-            if (ink[std::size_t(y) * page.width + (page.mirrored ? page.width - 1 - x : x)])
-                std::memset(row + pixel * x, 0, pixel);
-        const int of_part = first + y - part_first;
-        if (of_part >= 0 && of_part < part.height)
-            copy_part(page, row_bytes(part, of_part), pixel, row + pixel * left);
-    }
+    for (int y = 0; y < part.height; ++y)
+        copy_part(page, row_bytes(part, y), pixel,
+                  row_bytes(band, part_first - first + y) + pixel * left);
 }
 
 } // namespace
