@@ -133,6 +133,7 @@ unit_sources = \
   tests/unit/picture_bytes.h \
   tests/unit/picture_files.h \
   tests/unit/pixel_origins.h \
+  tests/unit/print_gang.cpp \
   tests/unit/print_media.cpp \
   tests/unit/print_page.cpp \
   tests/unit/print_pitch_chart.cpp \

@@ -33,6 +33,8 @@ build_bin_integral_SOURCES += \
   integral/cli/print_chart.cpp \
   integral/cli/print_chart.h \
   integral/cli/print_command.cpp \
+  integral/cli/print_gang.cpp \
+  integral/cli/print_gang.h \
   integral/cli/print_options.cpp \
   integral/cli/print_options.h \
   integral/cli/progress.cpp \

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral print: a frame on paper, pixel for pixel.
 #include "integral/cli/print_chart.h"
+#include "integral/cli/print_gang.h"
 #include "integral/cli/print_options.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
@@ -54,21 +55,10 @@ PrintSettings settings_of(const PrintOptions& o, FrameReader& frame)
     return settings;
 }
 
-int print_frame(const PrintOptions& o)
+/// Writes the pages to the output, the printer, or both.
+int deliver(const PrintOptions& o, FramePrint& print, const PrintSettings& settings)
 {
     const std::string output = o.output.value_or("");
-    if (o.inputs.empty())
-        throw UsageError("FRAME is missing; --chart makes a chart without one");
-    if (output.empty() && !o.printer)
-        throw UsageError("-o FILE is missing, or --printer NAME");
-    if (!output.empty()) {
-        page_format(output);
-        check_writable(output);
-    }
-    FrameReader frame(o.inputs[0], o.start.value_or(""));
-    const PrintSettings settings = settings_of(o, frame);
-    FramePrint print = usage_checked(o.inputs[0] + ": ",
-                                     [&] { return FramePrint(frame, settings); });
     if (o.printer && !print.inks().empty())
         throw UsageError("--printer takes no CMYK profile; write a .pdf or .tiff for the press");
     stop_if_interrupted();
@@ -80,6 +70,31 @@ int print_frame(const PrintOptions& o)
     if (o.printer)
         send(o, print.pictures(), settings.pixel_pitch, settings.title);
     return exit_done;
+}
+
+int print_frames(const PrintOptions& o)
+{
+    const std::string output = o.output.value_or("");
+    if (o.inputs.empty())
+        throw UsageError("FRAME is missing; --chart makes a chart without one");
+    if (output.empty() && !o.printer)
+        throw UsageError("-o FILE is missing, or --printer NAME");
+    if (!output.empty()) {
+        page_format(output);
+        check_writable(output);
+    }
+    if (!holds_several(o))
+        throw_if_given({{"gap", o.gap}}, "is for several frames on one page");
+    Readers frames = open_frames(o);
+    PrintSettings settings = settings_of(o, *frames[0]);
+    const FrameMetadata geometry = holds_several(o) ? arrange(o, frames, settings)
+                                                    : *frames[0]->frame().metadata;
+    std::vector<FrameReader*> readers;
+    for (const auto& frame : frames)
+        readers.push_back(frame.get());
+    FramePrint print = usage_checked(o.inputs[0] + ": ",
+                                     [&] { return FramePrint(readers, geometry, settings); });
+    return deliver(o, print, settings);
 }
 
 int print_chart(const PrintOptions& o)
@@ -94,6 +109,8 @@ int print_chart(const PrintOptions& o)
                     {"mirror", o.mirror},
                     {"tile", o.tile},
                     {"overlap", o.overlap},
+                    {"repeat", o.repeat},
+                    {"gap", o.gap},
                     {"bits", o.bits},
                     {"icc", o.icc},
                     {"intent", o.intent}},
@@ -137,7 +154,7 @@ int run(const PrintOptions& o)
                     {"keep-index", o.keep_index},
                     {"json", o.json}},
                    for_charts);
-    return print_frame(o);
+    return print_frames(o);
 }
 
 } // namespace
@@ -145,17 +162,19 @@ int run(const PrintOptions& o)
 const Command print_command = {
     "print",
     "a frame on paper, pixel for pixel: PDF, TIFF, PNG or a printer; and pitch charts",
-    "FRAME (-o PAGE.pdf | --printer NAME) [--paper 4x6] ... | --chart -o FILE | --even BARS@MM ...",
+    "FRAME... (-o PAGE.pdf | --printer NAME) [--paper 4x6] ... | --chart -o FILE | --even BARS@MM "
+    "...",
     R"(Lays a frame out on paper at its own size. Its pixels are the printer's: they are never
 resampled, and a printer of another resolution is refused. A lens's axis comes to the middle of
-the paper; marks to cut and to lay the lens sheet by stand outside the picture.
+the paper; marks to cut and to lay the lens sheet by stand outside the picture. Several frames
+share one page and one lens sheet, which lies on the lenses of all.
 
 --chart makes a chart of pitches in fine steps, to be looked at through a lens sheet: its bar that
 is even tells the sheet's pitch as it is seen from there. --even works out from one such reading
 the sheet's mechanical pitch, and from readings at several distances its index as well.
 )",
     0,
-    1,
+    500,
     described<PrintOptions>,
     run_with<PrintOptions, run>};
 

@@ -3,14 +3,17 @@
 
 #include "integral/cli/choices.h"
 #include "integral/cli/values.h"
+#include "integral/print/gang.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace integral {
 namespace {
 
 constexpr double largest_paper = 5000; // mm
+constexpr int most_repeats = 500;
 
 /// Reads a length in mm, if given.
 void read_length(const char* option, const std::optional<std::string>& text, double& value)
@@ -94,6 +97,10 @@ void declare(options::options_description& all, PrintOptions& o)
         "turned left to right, for printing on the back of the lens sheet");
     add(all, "tile", o.tile, "on several pages, where one is too small");
     add(all, "overlap", o.overlap, "MM", "of neighbouring tiles (default 10)");
+    add(all, "repeat", o.repeat, "N",
+        "each frame N times on the page, or as often as there is room: fill (default 1)");
+    add(all, "gap", o.gap, "MM",
+        "between frames on one page, or up to a lens's width more (default 8)");
     add(all, "bits", o.bits, "N", "8 or 16 bits for each colour (default: the frame's)");
     add(all, "icc", o.icc, "FILE",
         "the printer's ICC profile, to whose colours the page is converted (default: sRGB); of a "
@@ -168,6 +175,31 @@ PageRequest page_request(const PrintOptions& o, const Film& film)
         request.axis_marks |= marks.axis;
     }
     return request;
+}
+
+bool holds_several(const PrintOptions& o) { return o.inputs.size() > 1 || o.repeat; }
+
+int repeats_of(const PrintOptions& o)
+{
+    if (!o.repeat)
+        return 1;
+    if (*o.repeat == "fill") {
+        if (o.inputs.size() > 1)
+            throw UsageError("--repeat fill is for one FRAME");
+        return 0;
+    }
+    const double times = parse_number_between("repeat", *o.repeat, "a number, or fill", 1,
+                                              most_repeats, "1 to 500");
+    if (times != std::floor(times))
+        throw_usage("repeat", *o.repeat, "a whole number, or fill");
+    return int(times);
+}
+
+double gap_of(const PrintOptions& o)
+{
+    double gap = GangRequest().gap;
+    read_length("gap", o.gap, gap);
+    return gap;
 }
 
 Intent intent_of(const PrintOptions& o)

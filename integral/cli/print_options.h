@@ -14,6 +14,7 @@ struct PrintOptions : CommonOptions {
     std::optional<std::string> start; ///< --sheet: file with the geometry
     // Frames:
     std::optional<std::string> paper, orientation, feed, centre, bleed, marks, overlap, icc, intent;
+    std::optional<std::string> gap, repeat; ///< of several on a page
     std::optional<int> bits;
     bool strip = false, mirror = false, tile = false;
     // Printers:
@@ -43,6 +44,15 @@ Vec2 pitch_of_printer(const PrintOptions& o, const Film& film);
 
 /// The page, without the text of its strip. Throws UsageError.
 PageRequest page_request(const PrintOptions& o, const Film& film);
+
+/// Whether a page holds several frames.
+bool holds_several(const PrintOptions& o);
+
+/// How often --repeat puts each frame on the page; 0: as often as there is room. Throws UsageError.
+int repeats_of(const PrintOptions& o);
+
+/// The least distance of frames on one page, mm. Throws UsageError.
+double gap_of(const PrintOptions& o);
 
 } // namespace integral
 

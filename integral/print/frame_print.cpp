@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <stdexcept>
 
@@ -132,12 +133,26 @@ Image over_white(Image picture, int bits)
 }
 
 FramePrint::FramePrint(FrameReader& frame, const PrintSettings& settings)
-    : reader_(frame), pixel_pitch_(settings.pixel_pitch), title_(settings.title)
+    : FramePrint({&frame}, *frame.frame().metadata, settings)
 {
-    const Image& image = frame.frame().image;
-    pages_ = lay_out(*frame.frame().metadata, pixel_pitch_, settings.page);
-    const int bits = settings.bits ? settings.bits : std::min(16, sample_bits(image));
-    form_ = form_of(bits, image.width, image.height, 3, Encoding());
+}
+
+FramePrint::FramePrint(const std::vector<FrameReader*>& frames, const FrameMetadata& geometry,
+                       const PrintSettings& settings)
+    : geometry_(geometry), pixel_pitch_(settings.pixel_pitch), title_(settings.title)
+{
+    pages_ = lay_out(geometry, pixel_pitch_, settings.page);
+    const Film& film = geometry.film;
+    int bits = settings.bits;
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        const auto& placed = settings.page.frames;
+        sources_.push_back({frames[k], placed.empty()
+                                           ? PixelRectangle{0, 0, film.width, film.height}
+                                           : placed.at(k).place});
+        if (settings.bits == 0)
+            bits = std::max(bits, std::min(16, sample_bits(frames[k]->frame().image)));
+    }
+    form_ = form_of(bits, film.width, film.height, 3, Encoding());
     profile_ = srgb_profile();
     if (!settings.profile)
         return;
@@ -150,25 +165,49 @@ FramePrint::FramePrint(FrameReader& frame, const PrintSettings& settings)
     form_.channels = transform_->channels();
 }
 
-/// Rows of the picture in the profile's colours. Going back reads the file from its start again.
-Image FramePrint::rows(int first, int count)
+/// Rows of a frame in the profile's colours. Going back reads the file from its start again.
+Image FramePrint::rows_of_frame(Source& source, int first, int count)
 {
-    const Image& frame = reader_.frame().image;
+    FrameReader& reader = *source.reader;
+    const Image& frame = reader.frame().image;
     const auto read = [&](int rows) {
         stop_if_interrupted();
         Image band = blank_like(frame, frame.width, rows);
-        reader_.read(band);
-        next_ += rows;
+        reader.read(band);
+        source.next += rows;
         return band;
     };
-    if (first < next_) {
-        reader_.restart();
-        next_ = 0;
+    if (first < source.next) {
+        reader.restart();
+        source.next = 0;
     }
-    while (next_ < first)
-        read(std::min(rows_of_a_band(frame), first - next_));
+    while (source.next < first)
+        read(std::min(rows_of_a_band(frame), first - source.next));
     Image picture = over_white(read(count), sample_bits(form_));
     return transform_ ? transform_->apply(std::move(picture)) : picture;
+}
+
+/// Rows of the picture: the frames with paper between them.
+Image FramePrint::rows(int first, int count)
+{
+    const PixelRectangle& only = sources_[0].place;
+    if (sources_.size() == 1 && only.width == form_.width && only.height == form_.height)
+        return rows_of_frame(sources_[0], first, count);
+    Image band = blank_like(form_, form_.width, count);
+    fill_with_paper(band);
+    const std::size_t pixel = std::size_t(form_.channels) * (sample_bits(form_) / 8);
+    for (Source& source : sources_) {
+        const PixelRectangle& place = source.place;
+        const int begin = std::max(first, place.y),
+                  end = std::min(first + count, place.y + place.height);
+        if (begin >= end)
+            continue;
+        const Image part = rows_of_frame(source, begin - place.y, end - begin);
+        for (int y = 0; y < part.height; ++y)
+            std::memcpy(row_bytes(band, begin - first + y) + pixel * place.x, row_bytes(part, y),
+                        pixel * part.width);
+    }
+    return band;
 }
 
 std::vector<std::string> FramePrint::inks() const
@@ -187,7 +226,7 @@ PictureRows FramePrint::row_source()
 PictureWriter FramePrint::page_writer(const Page& page, const std::string& path) const
 {
     std::optional<FrameMetadata> geometry;
-    if (const auto g = geometry_of(page, *reader_.frame().metadata)) {
+    if (const auto g = geometry_of(page, geometry_)) {
         geometry = g->metadata;
         geometry->encoding = Encoding();
     }

@@ -50,6 +50,11 @@ public:
     /// std::invalid_argument if the paper is too small, InputError for the profile.
     FramePrint(FrameReader& frame, const PrintSettings& settings);
 
+    /// Prints frames as one picture, whose geometry is `geometry`: frames[k] stands at the place
+    /// settings.page.frames[k]. Otherwise as the other constructor.
+    FramePrint(const std::vector<FrameReader*>& frames, const FrameMetadata& geometry,
+               const PrintSettings& settings);
+
     int page_count() const { return int(pages_.size()); }
 
     /// Names of the pages' inks; empty if the profile is RGB.
@@ -65,14 +70,22 @@ public:
     std::vector<Image> pictures();
 
 private:
+    /// A frame, and its place in the picture.
+    struct Source {
+        FrameReader* reader;
+        PixelRectangle place;
+        int next = 0; ///< the reader's current row
+    };
+
+    Image rows_of_frame(Source& source, int first, int count);
     Image rows(int first, int count);
     PictureRows row_source();
     PictureWriter page_writer(const Page& page, const std::string& path) const;
     void write_pdf_file(const std::string& path);
     void write_pictures(const std::string& path, const Progress& progress);
 
-    FrameReader& reader_;
-    int next_ = 0; ///< the reader's current row
+    std::vector<Source> sources_;
+    FrameMetadata geometry_; ///< of the picture
     std::vector<Page> pages_;
     Image form_; ///< of the picture on the pages; it has no samples
     Vec2 pixel_pitch_;

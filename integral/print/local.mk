@@ -13,6 +13,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/print/cups_raster.h \
   integral/print/frame_print.cpp \
   integral/print/frame_print.h \
+  integral/print/gang.cpp \
+  integral/print/gang.h \
   integral/print/page.cpp \
   integral/print/page.h \
   integral/print/page_marks.cpp \

@@ -51,7 +51,7 @@ int in_pixels(double mm, double pixel)
 }
 
 constexpr double strip_height = 2.5, strip_margin = 3; // mm
-constexpr double letter_width = 0.6; // em; more than a letter's average width
+constexpr double letter_width = 0.6;                   // em; more than a letter's average width
 
 /// Places the strip's text below the picture, in smaller letters if the paper is too narrow.
 void place_strip(Page& page, double below_picture, const std::string& text)
@@ -157,6 +157,20 @@ int place_of(const Extent& extent, int size, double lens)
     return std::clamp(begin, extent.before, extent.page - extent.after - size);
 }
 
+/// The rectangle without `trim` mm at each edge.
+PixelRectangle without_edges(const PixelRectangle& r, double trim, Vec2 pitch)
+{
+    const int x = in_pixels(trim, pitch.x), y = in_pixels(trim, pitch.y);
+    return {r.x + x, r.y + y, r.width - 2 * x, r.height - 2 * y};
+}
+
+PixelRectangle box_around(const PixelRectangle& a, const PixelRectangle& b)
+{
+    const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+    return {x, y, std::max(a.x + a.width, b.x + b.width) - x,
+            std::max(a.y + a.height, b.y + b.height) - y};
+}
+
 /// The page's part that remains after `trim` mm are cut off the edges of the whole picture.
 PixelRectangle trimmed_part(const Page& page, const Film& film, double trim)
 {
@@ -170,6 +184,30 @@ PixelRectangle trimmed_part(const Page& page, const Film& film, double trim)
             page.part.height - top - bottom};
 }
 
+/// Sets what is cut out of a page: the whole picture, or each of its frames.
+void set_frames(Page& page, const Film& film, const PageRequest& request)
+{
+    if (request.frames.empty())
+        page.frames = {{{page.x, page.y, page.part.width, page.part.height},
+                        trimmed_part(page, film, request.trim)}};
+    for (const PlacedFrame& frame : request.frames) {
+        PixelRectangle picture = frame.place;
+        picture.x += page.x;
+        picture.y += page.y;
+        page.frames.push_back({picture, without_edges(picture, frame.trim, page.pixel_pitch)});
+    }
+    page.trimmed = page.frames[0].trimmed;
+    for (std::size_t k = 0; k < page.frames.size(); ++k) {
+        const PixelRectangle& left = page.frames[k].trimmed;
+        if (left.width < 1 || left.height < 1)
+            throw std::invalid_argument(
+                "nothing is left of the picture when " +
+                with_digits(request.frames.empty() ? request.trim : request.frames[k].trim, 4) +
+                " mm are cut off all around");
+        page.trimmed = box_around(page.trimmed, left);
+    }
+}
+
 /// The strip's text on a page, with the page's number if there are several.
 std::string strip_of(const Page& page, const std::string& text)
 {
@@ -179,6 +217,12 @@ std::string strip_of(const Page& page, const std::string& text)
 }
 
 } // namespace
+
+PixelSize room_on_paper(Vec2 pitch, const PageRequest& request)
+{
+    const Space space = space_of(FrameMetadata(), pitch, request);
+    return {space.across.room(), space.down.room()};
+}
 
 std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest& request)
 {
@@ -205,11 +249,7 @@ std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest&
             page.row = int(j);
             page.columns = int(columns.first.size());
             page.rows = int(rows.first.size());
-            page.trimmed = trimmed_part(page, film, request.trim);
-            if (page.trimmed.width < 1 || page.trimmed.height < 1)
-                throw std::invalid_argument("nothing is left of the picture when " +
-                                            with_digits(request.trim, 4) +
-                                            " mm are cut off all around");
+            set_frames(page, film, request);
             if (!request.strip.empty())
                 place_strip(page, marks_margin(request), strip_of(page, request.strip));
             page.lines = page_marks(page, m, request);

@@ -11,6 +11,17 @@
 
 namespace integral {
 
+/// A rectangle in printer pixels, from the top left.
+struct PixelRectangle {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// One of several frames in a picture that holds them side by side.
+struct PlacedFrame {
+    PixelRectangle place; ///< in the picture
+    double trim = 0;      ///< mm that are cut off its edges after printing
+};
+
 /// Options of a page layout. Lengths in mm.
 struct PageRequest {
     /// The paper as it is fed: its width and height are not exchanged. Without it, the page is as
@@ -21,10 +32,12 @@ struct PageRequest {
     bool centre_on_lens = true;
     double trim = 0; ///< width of the edge that is cut off all around after printing (bleed), >= 0
     bool crop_marks = false, registration_marks = false, axis_marks = false;
-    bool tiles = false;    ///< several pages, if one is too small
-    double overlap = 10;   ///< shared by neighbouring tiles, >= 0
-    bool mirrored = false; ///< for printing on the back of the lens sheet
-    std::string strip;     ///< a line of text below the picture; empty: none
+    bool tiles = false;              ///< several pages, if one is too small
+    double overlap = 10;             ///< shared by neighbouring tiles, >= 0
+    bool mirrored = false;           ///< for printing on the back of the lens sheet
+    std::string strip;               ///< a line of text below the picture; empty: none
+    std::vector<PlacedFrame> frames; ///< to be cut apart, instead of `trim`; empty: the picture is
+                                     ///< one frame. Not with `tiles`
 };
 
 /// A straight line on a page, mm from its top left corner (y downwards). Lines are one printer
@@ -33,9 +46,9 @@ struct PageLine {
     Vec2 from, to;
 };
 
-/// A rectangle in printer pixels, from the top left.
-struct PixelRectangle {
-    int x = 0, y = 0, width = 0, height = 0;
+/// A frame on a page, or the part of it that a tile shows.
+struct FrameOnPage {
+    PixelRectangle picture, trimmed; ///< all of it, and what remains after cutting
 };
 
 struct Page {
@@ -43,14 +56,19 @@ struct Page {
     Vec2 pixel_pitch;          ///< nominal, of the printer, mm
     PixelRectangle part;       ///< the part of the picture that is on the page
     int x = 0, y = 0;          ///< place of the part's top left pixel on the page
-    PixelRectangle trimmed;    ///< the part that remains after cutting
-    bool mirrored = false;     ///< whether the whole page is mirrored left to right
+    PixelRectangle trimmed;    ///< the part that remains after cutting, or a box around all such
+    std::vector<FrameOnPage> frames; ///< at least one
+    bool mirrored = false;           ///< whether the whole page is mirrored left to right
     std::vector<PageLine> lines;
     std::string strip;                              ///< the strip's text
     Vec2 strip_place;                               ///< start of the strip's baseline, mm
     double strip_size = 0;                          ///< the em of its letters, mm
     int column = 0, row = 0, columns = 1, rows = 1; ///< the tile's place, and number of tiles
 };
+
+/// Room for the picture on request.paper, which must be set, in pixels. Throws
+/// std::invalid_argument if the paper has more pixels than a page may have.
+PixelSize room_on_paper(Vec2 printer_pitch, const PageRequest& request);
 
 /// Lays the frame out on one page, or on as many tiles as necessary, row by row. `printer_pitch` is
 /// the nominal size of a printer pixel, mm; the film's pixel pitch may differ from it by the

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double clear_of_picture = 1.5; // mm between the picture and its marks
 constexpr double margin = 8;             // mm from the picture to the marks' far ends
-constexpr double crop_mark = 5.5, axis_mark = 2, long_axis_mark = 3.5,
+constexpr double crop_mark = 5.5, shortest_crop_mark = 0.5, axis_mark = 2, long_axis_mark = 3.5,
                  registration_radius = 1.5; // mm
 constexpr double apart = 1;    // mm between a registration mark and the middle axis's mark
 constexpr int marked_lens = 5; // every fifth lens has a mark
@@ -25,19 +25,48 @@ Box box_of(const PixelRectangle& r, Vec2 pitch)
     return {r.x * pitch.x, r.y * pitch.y, (r.x + r.width) * pitch.x, (r.y + r.height) * pitch.y};
 }
 
-void add_crop_marks(std::vector<PageLine>& lines, const Box& picture, const Box& trimmed)
+/// Adds the crop marks of picture number `own` at its edges to the left and right. Where another
+/// picture is near, marks share the gap with that picture's; in a gap too narrow there are none.
+/// `line` makes a line of two places across and one down.
+template <class Line>
+void add_crop_marks(std::vector<PageLine>& lines, const std::vector<Box>& pictures, std::size_t own,
+                    std::initializer_list<double> cuts, Line line)
 {
-    for (const double x : {trimmed.left, trimmed.right}) {
-        lines.push_back(
-            {{x, picture.top - clear_of_picture}, {x, picture.top - clear_of_picture - crop_mark}});
-        lines.push_back({{x, picture.bottom + clear_of_picture},
-                         {x, picture.bottom + clear_of_picture + crop_mark}});
+    const Box& picture = pictures[own];
+    for (const double cut : cuts)
+        for (const bool after : {false, true}) {
+            double length = crop_mark;
+            for (const Box& other : pictures) {
+                const double gap = after ? other.left - picture.right : picture.left - other.right;
+                const bool level = cut > other.top - clear_of_picture &&
+                                   cut < other.bottom + clear_of_picture;
+                if (level && gap >= 0)
+                    length = std::min(length, 0.5 * gap - clear_of_picture);
+            }
+            if (length < shortest_crop_mark)
+                continue;
+            const double way = after ? 1 : -1,
+                         from = (after ? picture.right : picture.left) + way * clear_of_picture;
+            lines.push_back(line(from, from + way * length, cut));
+        }
+}
+
+void add_crop_marks(std::vector<PageLine>& lines, const Page& page)
+{
+    std::vector<Box> upright, turned; // turned: down and across are exchanged
+    for (const FrameOnPage& frame : page.frames) {
+        const Box box = box_of(frame.picture, page.pixel_pitch);
+        upright.push_back(box);
+        turned.push_back({box.top, box.left, box.bottom, box.right});
     }
-    for (const double y : {trimmed.top, trimmed.bottom}) {
-        lines.push_back({{picture.left - clear_of_picture, y},
-                         {picture.left - clear_of_picture - crop_mark, y}});
-        lines.push_back({{picture.right + clear_of_picture, y},
-                         {picture.right + clear_of_picture + crop_mark, y}});
+    for (std::size_t k = 0; k < page.frames.size(); ++k) {
+        const Box cut = box_of(page.frames[k].trimmed, page.pixel_pitch);
+        add_crop_marks(lines, turned, k, {cut.left, cut.right}, [](double a, double b, double x) {
+            return PageLine{{x, a}, {x, b}};
+        });
+        add_crop_marks(lines, upright, k, {cut.top, cut.bottom}, [](double a, double b, double y) {
+            return PageLine{{a, y}, {b, y}};
+        });
     }
 }
 
@@ -157,7 +186,7 @@ std::vector<PageLine> page_marks(const Page& page, const FrameMetadata& m,
     const Vec2 pitch = page.pixel_pitch;
     const Box picture = box_of({page.x, page.y, page.part.width, page.part.height}, pitch);
     if (request.crop_marks)
-        add_crop_marks(lines, picture, box_of(page.trimmed, pitch));
+        add_crop_marks(lines, page);
     if (request.registration_marks) {
         const double x = 0.5 * (picture.left + picture.right),
                      y = 0.5 * (picture.top + picture.bottom),

@@ -127,8 +127,7 @@ void draw_rows(const Page& page, int first, const Image& part, int part_first, I
 {
     const std::size_t pixel = pixel_bytes(band);
     const bool inks = band.channels > 3;
-    for (int y = 0; y < band.height; ++y)
-        std::memset(row_bytes(band, y), inks ? 0 : 0xff, pixel * page.width);
+    fill_with_paper(band);
     // Marks are of all inks, which shows whether the inks lie upon each other; text is of black.
     const std::size_t sample = pixel / std::size_t(band.channels);
     std::vector<unsigned char> mark(pixel, inks ? 0xff : 0), text(pixel, 0);
@@ -145,6 +144,13 @@ void draw_rows(const Page& page, int first, const Image& part, int part_first, I
 }
 
 } // namespace
+
+void fill_with_paper(Image& image)
+{
+    for (int y = 0; y < image.height; ++y)
+        std::memset(row_bytes(image, y), image.channels > 3 ? 0 : 0xff,
+                    pixel_bytes(image) * image.width);
+}
 
 PictureRows rows_in(const Image& picture)
 {

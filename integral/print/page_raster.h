@@ -15,6 +15,9 @@ namespace integral {
 /// Returns rows [first, first + count) of a picture, in its whole width.
 using PictureRows = std::function<Image(int first, int count)>;
 
+/// Makes an image of paper: white or, of inks, without ink.
+void fill_with_paper(Image& image);
+
 /// The rows of a picture in memory, which must outlive the function.
 PictureRows rows_in(const Image& picture);
 

@@ -22,8 +22,8 @@ struct PdfxEntries {
     std::string about;   ///< the document information dictionary
 };
 
-/// Writes the press's profile and the XMP metadata, both of which the returned texts refer to. To
-/// be called after the pages: the document's identifier is a digest of what is written before.
+/// Writes the press's profile and the XMP metadata, and returns the entries that refer to them. To
+/// be called after the pages: the document's identifier is a digest of all bytes before.
 /// Throws std::invalid_argument if `created` is no time that has a date, and what the file throws.
 PdfxEntries add_pdfx(PdfFile& pdf, const PdfxDocument& document);
 

@@ -54,4 +54,5 @@ def main():
         sys.stdout.buffer.write(samples.tobytes())
 
 
-main()
+if __name__ == "__main__":
+    main()

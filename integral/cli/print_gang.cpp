@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/print_gang.h"
+
+#include "integral/base/number_text.h"
+#include "integral/cli/values.h"
+#include "integral/print/gang.h"
+
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+namespace integral {
+namespace {
+
+std::unique_ptr<FrameReader> opened(const PrintOptions& o, std::size_t input)
+{
+    return std::make_unique<FrameReader>(o.inputs[input], o.start.value_or(""));
+}
+
+/// The frames' geometries. Throws InputError if a frame has none, or another sheet or film than the
+/// first.
+std::vector<FrameMetadata> geometries(const PrintOptions& o, const Readers& frames)
+{
+    std::vector<FrameMetadata> all;
+    const std::size_t repeats = frames.size() / o.inputs.size();
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        frames[k]->require_metadata();
+        all.push_back(*frames[k]->frame().metadata);
+        const std::string difference = sheet_difference(all[0], all[k]);
+        if (!difference.empty())
+            throw InputError(o.inputs[k / repeats] + ": its lens sheet is not that of " +
+                             o.inputs[0] + ": " + difference +
+                             "; print it on a page of its own, or render both for one sheet");
+    }
+    return all;
+}
+
+/// Arranges the frames on paper as it is fed, or throws std::invalid_argument.
+Gang on_paper(const PrintOptions& o, const std::vector<FrameMetadata>& frames,
+              const PrintSettings& settings)
+{
+    GangRequest request;
+    request.room = room_on_paper(settings.pixel_pitch, settings.page);
+    request.gap = gap_of(o);
+    request.fill = repeats_of(o) == 0;
+    return gang(frames, request);
+}
+
+/// Arranges the frames. A named paper is turned if only that gives room for all, or room for more.
+Gang on_either_paper(const PrintOptions& o, const std::vector<FrameMetadata>& frames,
+                     PrintSettings& settings)
+{
+    Paper& paper = *settings.page.paper;
+    if (!paper_named(*o.paper) || o.orientation.value_or("auto") != "auto")
+        return on_paper(o, frames, settings);
+    if (paper.width > paper.height)
+        std::swap(paper.width, paper.height);
+    PrintSettings turned = settings;
+    std::swap(turned.page.paper->width, turned.page.paper->height);
+    const auto arranged = [&](const PrintSettings& s) -> std::optional<Gang> {
+        try {
+            return on_paper(o, frames, s);
+        } catch (const std::invalid_argument&) {
+            return std::nullopt;
+        }
+    };
+    const auto upright_gang = arranged(settings), turned_gang = arranged(turned);
+    if (turned_gang &&
+        (!upright_gang || turned_gang->places.size() > upright_gang->places.size())) {
+        settings = turned;
+        return *turned_gang;
+    }
+    return upright_gang ? *upright_gang : on_paper(o, frames, settings);
+}
+
+/// Reports how well one lens sheet serves all frames.
+void report(const Gang& gang, Vec2 pixel)
+{
+    const double pixels = gang.largest_error / std::min(pixel.x, pixel.y);
+    std::cout << counted(int(gang.places.size()), "frame") << " in " << counted(gang.rows, "row")
+              << " behind one lens sheet: its lenses are within "
+              << with_decimals(gang.largest_error, 4) << " mm (" << with_decimals(pixels, 2)
+              << " pixels) of each frame's\n";
+}
+
+} // namespace
+
+Readers open_frames(const PrintOptions& o)
+{
+    Readers frames;
+    const int repeats = std::max(1, repeats_of(o));
+    for (std::size_t k = 0; k < o.inputs.size(); ++k) {
+        if (o.inputs[k] == "-" && holds_several(o))
+            throw UsageError("FRAME - is printed alone; several frames need files");
+        for (int copy = 0; copy < repeats; ++copy)
+            frames.push_back(opened(o, k));
+    }
+    return frames;
+}
+
+FrameMetadata arrange(const PrintOptions& o, Readers& frames, PrintSettings& settings)
+{
+    if (o.tile)
+        throw UsageError("--tile is for one FRAME");
+    if (!settings.page.paper)
+        throw UsageError("several frames on one page need --paper");
+    const std::vector<FrameMetadata> all = geometries(o, frames);
+    const Gang gang = usage_checked("", [&] { return on_either_paper(o, all, settings); });
+    while (frames.size() < gang.places.size())
+        frames.push_back(opened(o, 0));
+    for (std::size_t k = 0; k < gang.places.size(); ++k)
+        settings.page.frames.push_back(
+            {gang.places[k], page_request(o, frames[k]->frame().metadata->film).trim});
+    settings.title += ", " + counted(int(gang.places.size()), "frame");
+    if (o.strip)
+        settings.page.strip = settings.title;
+    if (o.output != "-")
+        report(gang, gang.metadata.film.pixel_pitch);
+    return gang.metadata;
+}
+
+} // namespace integral
