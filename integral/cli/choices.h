@@ -10,6 +10,7 @@
 #include "integral/panel/interlace.h"
 #include "integral/panel/panel_images.h"
 #include "integral/print/colour_profile.h"
+#include "integral/print/page.h"
 #include "integral/replay/arrange.h"
 #include "integral/wireframe/wireframe.h"
 
@@ -68,6 +69,8 @@ inline constexpr Choice<Intent> intent_choices[] = {{"perceptual", Intent::perce
                                                     {"relative", Intent::relative},
                                                     {"saturation", Intent::saturation},
                                                     {"absolute", Intent::absolute}};
+inline constexpr Choice<WhiteInk> white_choices[] = {{"full", WhiteInk::full},
+                                                     {"picture", WhiteInk::picture}};
 /// Keywords of --blend and --sampling.
 inline constexpr Choice<Neighbours> neighbours_choices[] = {{"nearest", Neighbours::nearest},
                                                             {"linear", Neighbours::linear}};

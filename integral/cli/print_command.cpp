@@ -111,6 +111,7 @@ int print_chart(const PrintOptions& o)
                     {"overlap", o.overlap},
                     {"repeat", o.repeat},
                     {"gap", o.gap},
+                    {"white", o.white},
                     {"bits", o.bits},
                     {"icc", o.icc},
                     {"intent", o.intent}},

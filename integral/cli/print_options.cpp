@@ -107,6 +107,10 @@ void declare(options::options_description& all, PrintOptions& o)
         "CMYK press: TIFF in inks, or PDF/X-4");
     add(all, "intent", o.intent, "INTENT",
         "perceptual, relative (default), saturation or absolute");
+    add(all, "white", o.white, "WHERE",
+        "white as a fifth ink, for a CMYK profile: full, on the whole page, or picture, under it "
+        "as "
+        "far as it is opaque");
     add(all, "printer", o.printer, "NAME",
         "print it, to a queue of CUPS; ? lists them. -o is then not needed");
     add(all, "copies", o.copies, "N", "how many, 1 to 1000 (default 1)");
@@ -165,6 +169,10 @@ PageRequest page_request(const PrintOptions& o, const Film& film)
     if (request.tiles && !request.paper)
         throw UsageError("--tile needs --paper");
     request.mirrored = o.mirror;
+    if (o.white && !o.icc)
+        throw UsageError("--white needs --icc with the profile of a CMYK press");
+    if (o.white)
+        request.white = meaning_of("white", *o.white, white_choices);
     std::string kinds = o.marks.value_or("");
     while (!kinds.empty()) {
         const std::string kind = kinds.substr(0, kinds.find(','));

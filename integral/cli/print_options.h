@@ -15,6 +15,7 @@ struct PrintOptions : CommonOptions {
     // Frames:
     std::optional<std::string> paper, orientation, feed, centre, bleed, marks, overlap, icc, intent;
     std::optional<std::string> gap, repeat; ///< of several on a page
+    std::optional<std::string> white;
     std::optional<int> bits;
     bool strip = false, mirror = false, tile = false;
     // Printers:

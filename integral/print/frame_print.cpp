@@ -12,6 +12,7 @@
 #include <cstring>
 #include <ctime>
 #include <stdexcept>
+#include <type_traits>
 
 namespace integral {
 namespace {
@@ -57,6 +58,31 @@ template <class Draw> auto drawn(const Page& page, Draw draw)
         return std::invalid_argument("a page of " + std::to_string(page.width) + " x " +
                                      std::to_string(page.height) + " pixels: " + error.what());
     });
+}
+
+/// Adds white ink to a picture in four inks: everywhere, or as far as the picture as stored is
+/// opaque.
+Image with_white_ink(const Image& inks, const Image& stored, WhiteInk white)
+{
+    Image all = blank_like(form_of(sample_bits(inks), 0, 0, 5, inks.encoding), inks.width,
+                           inks.height);
+    std::visit(
+        [&](auto& to) {
+            using Row = std::decay_t<decltype(to)>;
+            using Sample = typename Row::value_type;
+            const Row& from = std::get<Row>(inks.samples);
+            const float full = sample_bits(inks) == 8 ? 255.0f : 65535.0f;
+            for_each_row(inks.height, 0, [&](int y) {
+                for (int x = 0; x < inks.width; ++x) {
+                    const std::size_t pixel = std::size_t(y) * inks.width + x;
+                    std::copy_n(&from[4 * pixel], 4, &to[5 * pixel]);
+                    const float opaque = white == WhiteInk::full ? 1 : stored_pixel(stored, x, y).a;
+                    to[5 * pixel + 4] = Sample(std::clamp(opaque, 0.0f, 1.0f) * full + 0.5f);
+                }
+            });
+        },
+        all.samples);
+    return all;
 }
 
 } // namespace
@@ -163,6 +189,12 @@ FramePrint::FramePrint(const std::vector<FrameReader*>& frames, const FrameMetad
         throw InputError(*settings.profile + ": " + error.what());
     }
     form_.channels = transform_->channels();
+    if (settings.page.white == WhiteInk::none)
+        return;
+    if (form_.channels == 3)
+        throw InputError(*settings.profile +
+                         ": it is an RGB profile; white ink needs that of a CMYK press");
+    form_.channels = 5;
 }
 
 /// Rows of a frame in the profile's colours. Going back reads the file from its start again.
@@ -183,8 +215,11 @@ Image FramePrint::rows_of_frame(Source& source, int first, int count)
     }
     while (source.next < first)
         read(std::min(rows_of_a_band(frame), first - source.next));
-    Image picture = over_white(read(count), sample_bits(form_));
-    return transform_ ? transform_->apply(std::move(picture)) : picture;
+    const Image stored = read(count);
+    Image picture = over_white(stored, sample_bits(form_));
+    if (transform_)
+        picture = transform_->apply(std::move(picture));
+    return form_.channels == 5 ? with_white_ink(picture, stored, pages_[0].white) : picture;
 }
 
 /// Rows of the picture: the frames with paper between them.
@@ -194,7 +229,7 @@ Image FramePrint::rows(int first, int count)
     if (sources_.size() == 1 && only.width == form_.width && only.height == form_.height)
         return rows_of_frame(sources_[0], first, count);
     Image band = blank_like(form_, form_.width, count);
-    fill_with_paper(band);
+    fill_with_paper(band, pages_[0].white);
     const std::size_t pixel = std::size_t(form_.channels) * (sample_bits(form_) / 8);
     for (Source& source : sources_) {
         const PixelRectangle& place = source.place;
@@ -214,7 +249,9 @@ std::vector<std::string> FramePrint::inks() const
 {
     if (form_.channels == 3)
         return {};
-    return {"Cyan", "Magenta", "Yellow", "Black"};
+    std::vector<std::string> inks = {"Cyan", "Magenta", "Yellow", "Black", "White"};
+    inks.resize(std::size_t(form_.channels));
+    return inks;
 }
 
 PictureRows FramePrint::row_source()

@@ -47,7 +47,8 @@ struct PrintSettings {
 class FramePrint {
 public:
     /// `frame` must have metadata, must not have been read yet, and must outlive the print. Throws
-    /// std::invalid_argument if the paper is too small, InputError for the profile.
+    /// std::invalid_argument if the paper is too small, InputError for the profile, also if white
+    /// ink is requested and the profile is not CMYK.
     FramePrint(FrameReader& frame, const PrintSettings& settings);
 
     /// Prints frames as one picture, whose geometry is `geometry`: frames[k] stands at the place

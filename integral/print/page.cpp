@@ -245,6 +245,7 @@ std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest&
             page.x = place_of(space.across, columns.size, lens.x);
             page.y = place_of(space.down, rows.size, lens.y);
             page.mirrored = request.mirrored;
+            page.white = request.white;
             page.column = int(i);
             page.row = int(j);
             page.columns = int(columns.first.size());

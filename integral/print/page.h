@@ -22,6 +22,10 @@ struct PlacedFrame {
     double trim = 0;      ///< mm that are cut off its edges after printing
 };
 
+/// Where white ink goes, a fifth ink for clear or dark material: nowhere, on the whole page, or
+/// under the picture as far as that is opaque.
+enum class WhiteInk { none, full, picture };
+
 /// Options of a page layout. Lengths in mm.
 struct PageRequest {
     /// The paper as it is fed: its width and height are not exchanged. Without it, the page is as
@@ -36,6 +40,7 @@ struct PageRequest {
     double overlap = 10;             ///< shared by neighbouring tiles, >= 0
     bool mirrored = false;           ///< for printing on the back of the lens sheet
     std::string strip;               ///< a line of text below the picture; empty: none
+    WhiteInk white = WhiteInk::none; ///< only for a picture in inks
     std::vector<PlacedFrame> frames; ///< to be cut apart, instead of `trim`; empty: the picture is
                                      ///< one frame. Not with `tiles`
 };
@@ -59,6 +64,7 @@ struct Page {
     PixelRectangle trimmed;    ///< the part that remains after cutting, or a box around all such
     std::vector<FrameOnPage> frames; ///< at least one
     bool mirrored = false;           ///< whether the whole page is mirrored left to right
+    WhiteInk white = WhiteInk::none;
     std::vector<PageLine> lines;
     std::string strip;                              ///< the strip's text
     Vec2 strip_place;                               ///< start of the strip's baseline, mm

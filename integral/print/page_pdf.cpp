@@ -5,6 +5,7 @@
 #include "integral/print/page_text.h"
 #include "integral/print/pdfx.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace integral {
@@ -31,18 +32,27 @@ struct Points {
     }
 };
 
-/// The picture's samples in PDF's order: 16 bits with the high byte first.
-std::vector<unsigned char> samples_of(const Image& image)
+/// Some of a picture's channels.
+struct Channels {
+    int first = 0, count = 0;
+};
+
+/// Samples of the channels in PDF's order: 16 bits with the high byte first.
+std::vector<unsigned char> samples_of(const Image& image, Channels channels)
 {
     std::vector<unsigned char> bytes;
     std::visit(
         [&](const auto& samples) {
-            bytes.reserve(samples.size() * (sample_bits(image) / 8));
-            for (const auto sample : samples) {
-                if constexpr (sizeof sample == 2)
-                    bytes.push_back(static_cast<unsigned char>(sample >> 8));
-                bytes.push_back(static_cast<unsigned char>(static_cast<unsigned>(sample) & 0xff));
-            }
+            const auto every = std::size_t(image.channels);
+            bytes.reserve(samples.size() / every * channels.count * (sample_bits(image) / 8));
+            for (std::size_t pixel = 0; pixel < samples.size(); pixel += every)
+                for (int c = channels.first; c < channels.first + channels.count; ++c) {
+                    const auto sample = samples[pixel + std::size_t(c)];
+                    if constexpr (sizeof sample == 2)
+                        bytes.push_back(static_cast<unsigned char>(sample >> 8));
+                    bytes.push_back(
+                        static_cast<unsigned char>(static_cast<unsigned>(sample) & 0xff));
+                }
         },
         image.samples);
     return bytes;
@@ -71,10 +81,20 @@ std::string content_of(const Page& page, bool inks)
     // (poppler's Splash, which CUPS uses) would make it a pixel wider and resample it.
     constexpr double inset = 1.0 / 1024;
     const int left = page.mirrored ? page.width - page.x - page.part.width : page.x;
-    text += "q " + number(points.x(page.part.width - 2 * inset)) + " 0 0 " +
-            number((page.part.height - 2 * inset) * page.pixel_pitch.y * points_per_mm) + " " +
-            number(points.x(left + inset)) + " " +
-            number(points.y(page.y + page.part.height - inset)) + " cm /Picture Do Q\n";
+    const std::string onto = "q " + number(points.x(page.part.width - 2 * inset)) + " 0 0 " +
+                             number((page.part.height - 2 * inset) * page.pixel_pitch.y *
+                                    points_per_mm) +
+                             " " + number(points.x(left + inset)) + " " +
+                             number(points.y(page.y + page.part.height - inset)) + " cm ";
+    // White comes first, so that viewers without overprinting show the picture on it.
+    if (page.white != WhiteInk::none)
+        text += "/Over gs\n";
+    if (page.white == WhiteInk::full)
+        text += "/White cs 1 scn 0 0 " + number(points.x(page.width)) + " " + number(points.y(0)) +
+                " re f\n";
+    if (page.white == WhiteInk::picture)
+        text += onto + "/White Do Q\n";
+    text += onto + "/Picture Do Q\n";
     if (page.mirrored)
         text += "-1 0 0 1 " + number(points.x(page.width)) + " 0 cm\n";
     text += number(points.x(1)) + (inks ? " w /Marks CS 1 SCN\n" : " w 0 G 0 g\n");
@@ -86,9 +106,9 @@ std::string content_of(const Page& page, bool inks)
     return text + strip_of(page, inks);
 }
 
-/// Adds the page's part of the picture; returns its object's number.
+/// Adds channels of the page's part of the picture as an image; returns its object's number.
 int add_picture(PdfFile& pdf, const Page& page, const Image& form, const PictureRows& picture,
-                const std::string& colour_space)
+                Channels channels, const std::string& colour_space)
 {
     const std::string entries = "/Type /XObject /Subtype /Image /Width " +
                                 std::to_string(page.part.width) + " /Height " +
@@ -97,7 +117,7 @@ int add_picture(PdfFile& pdf, const Page& page, const Image& form, const Picture
                                 " /Interpolate false";
     return pdf.add_stream(entries, [&](const PdfFile::TakeBytes& take) {
         draw_part(page, form, picture, [&](const Image& rows) {
-            const std::vector<unsigned char> bytes = samples_of(rows);
+            const std::vector<unsigned char> bytes = samples_of(rows, channels);
             take(bytes.data(), bytes.size());
         });
     });
@@ -107,18 +127,33 @@ int add_picture(PdfFile& pdf, const Page& page, const Image& form, const Picture
 struct Shared {
     bool inks = false;
     std::string colour_space; ///< of the picture
+    std::string white;        ///< colour space of white ink; empty: none
     std::string resources;    ///< the font of the strip, or the colour of the marks
 };
 
-Shared add_shared(PdfFile& pdf, bool inks, const std::string& profile)
+/// Adds the colour space of an ink, or of all, which viewers without that ink show as `shown`, four
+/// inks. Returns a reference to it.
+std::string add_separation(PdfFile& pdf, const std::string& name, const std::string& shown)
+{
+    return reference(pdf.add("[ /Separation /" + name +
+                             " /DeviceCMYK << /FunctionType 2 /Domain [0 1] /C0 [0 0 0 0] /C1 [" +
+                             shown + "] /N 1 >> ]"));
+}
+
+Shared add_shared(PdfFile& pdf, int channels, const std::string& profile)
 {
     Shared shared;
-    shared.inks = inks;
-    if (inks) {
-        const int marks = pdf.add("[ /Separation /All /DeviceCMYK << /FunctionType 2 /Domain [0 1] "
-                                  "/C0 [0 0 0 0] /C1 [1 1 1 1] /N 1 >> ]");
+    shared.inks = channels > 3;
+    if (shared.inks) {
         shared.colour_space = "/DeviceCMYK";
-        shared.resources = "/ColorSpace << /Marks " + reference(marks) + " >>";
+        shared.resources = "/ColorSpace << /Marks " + add_separation(pdf, "All", "1 1 1 1");
+        if (channels > 4) {
+            shared.white = add_separation(pdf, "White", "0.2 0 0 0"); // visible on a screen
+            shared.resources += " /White " + shared.white +
+                                " >> /ExtGState << /Over << /Type /ExtGState /OP true /op true "
+                                "/OPM 0 >>";
+        }
+        shared.resources += " >>";
         return shared;
     }
     const int colours = pdf.add_stream("/N 3 /Alternate /DeviceRGB", profile);
@@ -130,7 +165,8 @@ Shared add_shared(PdfFile& pdf, bool inks, const std::string& profile)
 }
 
 /// Adds the page itself; returns its object's number.
-int add_page(PdfFile& pdf, const Page& page, int parent, int picture, const Shared& shared)
+int add_page(PdfFile& pdf, const Page& page, int parent, const std::string& pictures,
+             const Shared& shared)
 {
     const int content = pdf.add_stream("", content_of(page, shared.inks));
     const Points points{page};
@@ -138,9 +174,8 @@ int add_page(PdfFile& pdf, const Page& page, int parent, int picture, const Shar
     return pdf.add("<< /Type /Page /Parent " + reference(parent) + " /MediaBox " + paper +
                    " /CropBox " + paper + " /BleedBox " +
                    points.box({page.x, page.y, page.part.width, page.part.height}) + " /TrimBox " +
-                   points.box(page.trimmed) + " /Resources << /XObject << /Picture " +
-                   reference(picture) + " >> " + shared.resources + " >> /Contents " +
-                   reference(content) + " >>");
+                   points.box(page.trimmed) + " /Resources << /XObject << " + pictures + " >> " +
+                   shared.resources + " >> /Contents " + reference(content) + " >>");
 }
 
 } // namespace
@@ -150,12 +185,17 @@ void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form
                std::time_t created)
 {
     PdfFile pdf(sink);
-    const Shared shared = add_shared(pdf, form.channels > 3, profile);
+    const Shared shared = add_shared(pdf, form.channels, profile);
     const int all_pages = pdf.reserve();
     std::string kids;
     for (const Page& page : pages) {
-        const int part = add_picture(pdf, page, form, picture, shared.colour_space);
-        kids += reference(add_page(pdf, page, all_pages, part, shared)) + " ";
+        const Channels colours{0, std::min(form.channels, 4)}, white{4, 1};
+        std::string pictures = "/Picture " + reference(add_picture(pdf, page, form, picture,
+                                                                   colours, shared.colour_space));
+        if (page.white == WhiteInk::picture)
+            pictures += " /White " +
+                        reference(add_picture(pdf, page, form, picture, white, shared.white));
+        kids += reference(add_page(pdf, page, all_pages, pictures, shared)) + " ";
     }
     pdf.write(all_pages, "<< /Type /Pages /Kids [ " + kids + "] /Count " +
                              std::to_string(pages.size()) + " >>");

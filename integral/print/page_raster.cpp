@@ -127,12 +127,15 @@ void draw_rows(const Page& page, int first, const Image& part, int part_first, I
 {
     const std::size_t pixel = pixel_bytes(band);
     const bool inks = band.channels > 3;
-    fill_with_paper(band);
+    fill_with_paper(band, page.white);
     // Marks are of all inks, which shows whether the inks lie upon each other; text is of black.
     const std::size_t sample = pixel / std::size_t(band.channels);
     std::vector<unsigned char> mark(pixel, inks ? 0xff : 0), text(pixel, 0);
     if (inks)
-        std::fill_n(text.begin() + std::ptrdiff_t(3 * sample), sample, 0xff);
+        std::fill(text.begin() + std::ptrdiff_t(3 * sample),
+                  page.white == WhiteInk::full ? text.end()
+                                               : text.begin() + std::ptrdiff_t(4 * sample),
+                  0xff);
     if (!page.lines.empty())
         paint(page, first, draw_lines, mark, band);
     if (!page.strip.empty())
@@ -145,11 +148,15 @@ void draw_rows(const Page& page, int first, const Image& part, int part_first, I
 
 } // namespace
 
-void fill_with_paper(Image& image)
+void fill_with_paper(Image& image, WhiteInk white)
 {
-    for (int y = 0; y < image.height; ++y)
-        std::memset(row_bytes(image, y), image.channels > 3 ? 0 : 0xff,
-                    pixel_bytes(image) * image.width);
+    const std::size_t pixel = pixel_bytes(image), sample = pixel / std::size_t(image.channels);
+    for (int y = 0; y < image.height; ++y) {
+        unsigned char* row = row_bytes(image, y);
+        std::memset(row, image.channels > 3 ? 0 : 0xff, pixel * image.width);
+        for (int x = 0; white == WhiteInk::full && x < image.width; ++x)
+            std::memset(row + pixel * x + 4 * sample, 0xff, sample);
+    }
 }
 
 PictureRows rows_in(const Image& picture)

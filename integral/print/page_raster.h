@@ -15,8 +15,9 @@ namespace integral {
 /// Returns rows [first, first + count) of a picture, in its whole width.
 using PictureRows = std::function<Image(int first, int count)>;
 
-/// Makes an image of paper: white or, of inks, without ink.
-void fill_with_paper(Image& image);
+/// Makes an image of paper: white or, of inks, without ink; with WhiteInk::full, all over white
+/// ink.
+void fill_with_paper(Image& image, WhiteInk white);
 
 /// The rows of a picture in memory, which must outlive the function.
 PictureRows rows_in(const Image& picture);
@@ -27,9 +28,9 @@ using TakeRows = std::function<void(std::size_t page, const Image& rows)>;
 /// Draws one page, or all pages of a row of tiles together, some rows at a time: white paper, the
 /// picture's own pixels, and marks and strip in black, one pixel wide and not smoothed. Marks do
 /// not touch the picture. `form` is the picture's: 8 or 16 bits; three channels, or four or more
-/// inks (cyan, magenta, yellow, black and spot inks; 0: no ink). Of inks, marks are in all of them
-/// and the strip in black. Calls `picture` for each row once, from the top. Throws
-/// std::runtime_error if cairo cannot draw, and what `picture` and `take` throw.
+/// inks (cyan, magenta, yellow, black and, if the pages have white ink, white; 0: no ink). Of inks,
+/// marks are in all of them and the strip in black. Calls `picture` for each row once, from the
+/// top. Throws std::runtime_error if cairo cannot draw, and what `picture` and `take` throw.
 void draw_pages(const std::vector<Page>& pages, const Image& form, const PictureRows& picture,
                 const TakeRows& take);
 

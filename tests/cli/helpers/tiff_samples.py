@@ -2,6 +2,7 @@
 # For test scripts: the samples of a TIFF whose strips are not compressed (tiffcp -c none).
 #
 #   tiff_samples.py FILE.tiff          writes the samples, 16 bits with the high byte first
+#   tiff_samples.py FILE.tiff --channels A:B    the same of channels A to B - 1
 #   tiff_samples.py FILE.tiff X Y      prints the samples of a pixel
 #   tiff_samples.py FILE.tiff --pixels prints each kind of pixel once
 #   tiff_samples.py A.tiff B.tiff      prints the greatest difference of two files' samples
@@ -35,9 +36,19 @@ def read(path):
     return tags[256][0], tags[277][0], samples
 
 
+def write(samples):
+    if samples.itemsize == 2 and sys.byteorder == "little":
+        samples.byteswap()
+    sys.stdout.buffer.write(samples.tobytes())
+
+
 def main():
     width, channels, samples = read(sys.argv[1])
-    if len(sys.argv) == 4:
+    if sys.argv[2:3] == ["--channels"]:
+        first, end = map(int, sys.argv[3].split(":"))
+        parts = zip(*(samples[c::channels] for c in range(first, end)))
+        write(array.array(samples.typecode, (s for pixel in parts for s in pixel)))
+    elif len(sys.argv) == 4:
         at = channels * (int(sys.argv[3]) * width + int(sys.argv[2]))
         print(*samples[at:at + channels])
     elif sys.argv[2:] == ["--pixels"]:
@@ -49,9 +60,7 @@ def main():
             sys.exit("the files differ in size")
         print(max(abs(a - b) for a, b in zip(samples, other[2])))
     else:
-        if samples.itemsize == 2 and sys.byteorder == "little":
-            samples.byteswap()
-        sys.stdout.buffer.write(samples.tobytes())
+        write(samples)
 
 
 if __name__ == "__main__":
