@@ -105,6 +105,8 @@ FrameMetadata arrange(const PrintOptions& o, Readers& frames, PrintSettings& set
         throw UsageError("--tile is for one FRAME");
     if (!settings.page.paper)
         throw UsageError("several frames on one page need --paper");
+    if (is_roll(*settings.page.paper) && repeats_of(o) == 0)
+        throw UsageError("--repeat fill needs paper with a length; for a roll, give --repeat N");
     const std::vector<FrameMetadata> all = geometries(o, frames);
     const Gang gang = usage_checked("", [&] { return on_either_paper(o, all, settings); });
     while (frames.size() < gang.places.size())

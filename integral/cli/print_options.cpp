@@ -37,6 +37,8 @@ std::optional<Paper> parse_paper(const PrintOptions& o, const Film& film)
     Paper paper = parse_paper_size(text);
     if (way == Orientation::automatic)
         return paper_named(text) ? paper_for(paper, film) : paper;
+    if (is_roll(paper))
+        throw UsageError("--orientation is for cut paper, not for a roll");
     if ((way == Orientation::landscape) != (paper.width > paper.height))
         std::swap(paper.width, paper.height);
     return paper;
@@ -76,7 +78,8 @@ void declare(options::options_description& all, PrintOptions& o)
         "numbers)");
     add(all, "paper", o.paper, "NAME|WxH",
         ("the paper: " + paper_names() +
-         ", or its width and height in mm (default: as large as picture and marks)")
+         ", its width and height in mm, or a roll's width, as 610xroll (default: as large as "
+         "picture and marks)")
             .c_str());
     add(all, "orientation", o.orientation, "WAY",
         "portrait, landscape or auto: as the picture is (default auto; WxH: as given)");
@@ -131,12 +134,17 @@ Paper parse_paper_size(const std::string& text)
 {
     if (const std::optional<Paper> paper = paper_named(text))
         return *paper;
+    constexpr char legal[] = ", or WIDTHxHEIGHT of 5 to 5000 mm, or WIDTHxroll,";
     double width = 0, height = 0;
     int read = 0;
+    if (std::sscanf(text.c_str(), "%lfxroll%n", &width, &read) == 1 && read == int(text.size()) &&
+        width >= 5 && width <= largest_paper)
+        return {width, 0};
+    read = 0;
     if (std::sscanf(text.c_str(), "%lfx%lf%n", &width, &height, &read) != 2 ||
         read != int(text.size()) || !(width >= 5 && height >= 5) ||
         !(width <= largest_paper && height <= largest_paper))
-        throw_usage("paper", text, paper_names() + ", or WIDTHxHEIGHT of 5 to 5000 mm,");
+        throw_usage("paper", text, paper_names() + legal);
     return {width, height};
 }
 

@@ -33,7 +33,7 @@ struct PrintOptions : CommonOptions {
 
 void declare(options::options_description& all, PrintOptions& o);
 
-/// A paper by its name, or WIDTHxHEIGHT in mm. Throws UsageError.
+/// A paper by its name, or WIDTHxHEIGHT or WIDTHxroll in mm. Throws UsageError.
 Paper parse_paper_size(const std::string& text);
 
 /// The value of --intent. Throws UsageError.

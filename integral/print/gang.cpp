@@ -188,12 +188,9 @@ Gang gang(const std::vector<FrameMetadata>& frames, const GangRequest& request)
         gang.places.push_back(*place);
     }
     if (gang.places.size() < frames.size())
-        throw std::invalid_argument(
-            "the paper has room for " + std::to_string(gang.places.size()) + " of " +
-            std::to_string(frames.size()) +
-            " frames: " + with_digits(request.room.width * pixel.x, 4) + " x " +
-            with_digits(request.room.height * pixel.y, 4) +
-            " mm without the marks' margin; take larger or turned paper, or a smaller --gap");
+        throw std::invalid_argument("the paper has room for " + std::to_string(gang.places.size()) +
+                                    " of " + counted(int(frames.size()), "frame") +
+                                    "; take larger or turned paper, a smaller --gap or no marks");
     gang.rows = rows.count();
     gang.largest_error = centre_errors(gang, frames, sheet);
     gang.metadata.sheet.offset = sheet.offset - middle_of(film, 0, 0);

@@ -85,19 +85,18 @@ Space space_of(const FrameMetadata& m, Vec2 pitch, const PageRequest& request)
                  below = margin + (request.strip.empty() ? 0 : 2 * strip_height);
     Extent across{0, in_pixels(margin, pitch.x), in_pixels(margin, pitch.x)},
         down{0, in_pixels(margin, pitch.y), in_pixels(below, pitch.y)};
-    if (request.paper) {
-        check_pixels(request.paper->width, pitch.x);
-        check_pixels(request.paper->height, pitch.y);
-        across.page = int(std::lround(request.paper->width / pitch.x));
-        down.page = int(std::lround(request.paper->height / pitch.y));
-    } else {
-        // To bring a lens to the page's middle, the picture moves by up to half a lens's cell.
-        const Vec2 cell = request.centre_on_lens ? cell_extent(m.sheet) : Vec2{0, 0};
-        across.page = across.before + m.film.width + across.after +
-                      (margin > 0 ? in_pixels(cell.x, pitch.x) : 0);
-        down.page = down.before + m.film.height + down.after +
-                    (margin > 0 ? in_pixels(cell.y, pitch.y) : 0);
-    }
+    const auto pixels_of_paper = [](double mm, double pixel) {
+        check_pixels(mm, pixel);
+        return int(std::lround(mm / pixel));
+    };
+    // To bring a lens to the page's middle, the picture moves by up to half a lens's cell.
+    const Vec2 cell = request.centre_on_lens && margin > 0 ? cell_extent(m.sheet) : Vec2{0, 0};
+    across.page = request.paper
+                      ? pixels_of_paper(request.paper->width, pitch.x)
+                      : across.before + m.film.width + across.after + in_pixels(cell.x, pitch.x);
+    down.page = request.paper && !is_roll(*request.paper)
+                    ? pixels_of_paper(request.paper->height, pitch.y)
+                    : down.before + m.film.height + down.after + in_pixels(cell.y, pitch.y);
     return {across, down};
 }
 
@@ -112,13 +111,20 @@ int page_needed(const Extent& extent, int pixels) { return extent.before + pixel
 /// A length in mm, rounded up to a tenth.
 std::string rounded_up(double mm) { return with_decimals(std::ceil(10 * mm - 1e-6) / 10, 1); }
 
+std::string paper_text(const std::optional<Paper>& paper)
+{
+    if (!paper)
+        return "paper of its own size";
+    const std::string width = with_digits(paper->width, 4);
+    return is_roll(*paper) ? "a roll of " + width + " mm"
+                           : "paper of " + width + " x " + with_digits(paper->height, 4) + " mm";
+}
+
 /// Throws std::invalid_argument if the picture, or its tiles, do not fit on the paper.
 void check_room(const Space& space, const Film& film, Vec2 pitch, const PageRequest& request,
                 int overlap_x, int overlap_y)
 {
-    const std::string paper = request.paper ? with_digits(request.paper->width, 4) + " x " +
-                                                  with_digits(request.paper->height, 4) + " mm"
-                                            : "its own size";
+    const std::string paper = paper_text(request.paper);
     if (!fits(space, film) && !request.tiles) {
         const bool has_marks = marks_margin(request) > 0 || !request.strip.empty();
         const Vec2 needed{page_needed(space.across, film.width) * pitch.x,
@@ -126,8 +132,8 @@ void check_room(const Space& space, const Film& film, Vec2 pitch, const PageRequ
         throw std::invalid_argument(
             "a picture of " + with_digits(film.width * pitch.x, 4) + " x " +
             with_digits(film.height * pitch.y, 4) + " mm " + (has_marks ? "with its marks " : "") +
-            "does not fit on paper of " + paper + ": the page needs " + rounded_up(needed.x) +
-            " x " + rounded_up(needed.y) + " mm; take larger or turned paper, or --tile");
+            "does not fit on " + paper + ": the page needs " + rounded_up(needed.x) + " x " +
+            rounded_up(needed.y) + " mm; take larger or turned paper, or --tile");
     }
     const auto tileable = [](const Extent& extent, int pixels, int overlap) {
         return extent.room() >= pixels || extent.room() > 2 * overlap;
@@ -135,7 +141,7 @@ void check_room(const Space& space, const Film& film, Vec2 pitch, const PageRequ
     if (!tileable(space.across, film.width, overlap_x) ||
         !tileable(space.down, film.height, overlap_y))
         throw std::invalid_argument("tiles that overlap by " + with_digits(request.overlap, 4) +
-                                    " mm do not fit on paper of " + paper);
+                                    " mm do not fit on " + paper);
 }
 
 /// Place of the lens nearest to the film's middle, relative to that middle, in pixels of the film
@@ -221,7 +227,7 @@ std::string strip_of(const Page& page, const std::string& text)
 PixelSize room_on_paper(Vec2 pitch, const PageRequest& request)
 {
     const Space space = space_of(FrameMetadata(), pitch, request);
-    return {space.across.room(), space.down.room()};
+    return {space.across.room(), is_roll(*request.paper) ? int(most_pixels) : space.down.room()};
 }
 
 std::vector<Page> lay_out(const FrameMetadata& m, Vec2 pitch, const PageRequest& request)

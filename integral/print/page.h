@@ -72,8 +72,8 @@ struct Page {
     int column = 0, row = 0, columns = 1, rows = 1; ///< the tile's place, and number of tiles
 };
 
-/// Room for the picture on request.paper, which must be set, in pixels. Throws
-/// std::invalid_argument if the paper has more pixels than a page may have.
+/// Room for the picture on request.paper, which must be set, in pixels; along a roll, as much as a
+/// page may have. Throws std::invalid_argument if the paper has more.
 PixelSize room_on_paper(Vec2 printer_pitch, const PageRequest& request);
 
 /// Lays the frame out on one page, or on as many tiles as necessary, row by row. `printer_pitch` is

@@ -10,10 +10,13 @@
 
 namespace integral {
 
-/// A sheet, mm. Named sheets are upright: width <= height.
+/// A sheet, mm. Named sheets are upright: width <= height. A height of 0 means a roll, of which a
+/// page takes as much as it needs.
 struct Paper {
     double width = 0, height = 0;
 };
+
+inline bool is_roll(const Paper& paper) { return paper.height == 0; }
 
 /// The paper of a name, in small or capital letters: sizes of dye-sublimation and photo papers in
 /// inches (4x6), A0 to A6, letter, legal, tabloid, and postcard (100 x 148 mm). Empty for other
