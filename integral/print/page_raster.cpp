@@ -108,17 +108,31 @@ std::size_t pixel_bytes(const Image& form)
     return std::size_t(form.channels) * (sample_bits(form) / 8);
 }
 
-/// Copies the page's part out of a row of the picture, mirrored if the page is.
-void copy_part(const Page& page, const unsigned char* row, std::size_t pixel, unsigned char* to)
+/// Copies pixels [first, first + width) of a row, in reverse order if `mirrored`.
+void copy_pixels(const unsigned char* row, std::size_t pixel, int first, int width, bool mirrored,
+                 unsigned char* to)
 {
-    row += pixel * page.part.x;
-    const int width = page.part.width;
-    if (!page.mirrored) {
+    row += pixel * first;
+    if (!mirrored) {
         std::memcpy(to, row, pixel * width);
         return;
     }
     for (int x = 0; x < width; ++x)
         std::memcpy(to + pixel * x, row + pixel * (width - 1 - x), pixel);
+}
+
+/// Copies a frame's pixels to `band`, the page's rows from row `first` on. `part` holds the
+/// picture's rows from the page's row `part_first` on.
+void copy_frame(const Page& page, const PixelRectangle& frame, int first, const Image& part,
+                int part_first, Image& band)
+{
+    const std::size_t pixel = pixel_bytes(band);
+    const int begin = std::max(frame.y, part_first),
+              end = std::min(frame.y + frame.height, part_first + part.height),
+              left = page.mirrored ? page.width - frame.x - frame.width : frame.x;
+    for (int y = begin; y < end; ++y)
+        copy_pixels(row_bytes(part, y - part_first), pixel, page.part.x + frame.x - page.x,
+                    frame.width, page.mirrored, row_bytes(band, y - first) + pixel * left);
 }
 
 /// Draws `band`, the page's rows from row `first` on. `part` holds the picture's rows that lie in
@@ -140,10 +154,8 @@ void draw_rows(const Page& page, int first, const Image& part, int part_first, I
         paint(page, first, draw_lines, mark, band);
     if (!page.strip.empty())
         paint(page, first, draw_strip, text, band);
-    const int left = page.mirrored ? page.width - page.x - page.part.width : page.x;
-    for (int y = 0; y < part.height; ++y)
-        copy_part(page, row_bytes(part, y), pixel,
-                  row_bytes(band, part_first - first + y) + pixel * left);
+    for (const FrameOnPage& frame : page.frames) // paper between frames may have marks
+        copy_frame(page, frame.picture, first, part, part_first, band);
 }
 
 } // namespace
@@ -209,7 +221,8 @@ void draw_part(const Page& page, const Image& form, const PictureRows& picture,
         const Image rows = picture(page.part.y + first, count);
         Image part = blank_like(form, page.part.width, count);
         for (int y = 0; y < count; ++y)
-            copy_part(page, row_bytes(rows, y), pixel_bytes(form), row_bytes(part, y));
+            copy_pixels(row_bytes(rows, y), pixel_bytes(form), page.part.x, page.part.width,
+                        page.mirrored, row_bytes(part, y));
         take(part);
     }
 }
