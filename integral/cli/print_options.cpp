@@ -78,7 +78,7 @@ void declare(options::options_description& all, PrintOptions& o)
         "numbers)");
     add(all, "paper", o.paper, "NAME|WxH",
         ("the paper: " + paper_names() +
-         ", its width and height in mm, or a roll's width, as 610xroll (default: as large as "
+         "; its width and height in mm; or a roll's width, as 610xroll (default: as large as "
          "picture and marks)")
             .c_str());
     add(all, "orientation", o.orientation, "WAY",

@@ -19,14 +19,14 @@ struct Paper {
 inline bool is_roll(const Paper& paper) { return paper.height == 0; }
 
 /// The paper of a name, in small or capital letters: sizes of dye-sublimation and photo papers in
-/// inches (4x6), A0 to A6, letter, legal, tabloid, and postcard (100 x 148 mm). Empty for other
-/// names.
+/// inches (4x6), A0 to A6, letter, legal, tabloid, postcard (100 x 148 mm), and press sheets (B1 to
+/// B3, SRA3, SRA4). Empty for other names.
 std::optional<Paper> paper_named(const std::string& name);
 
 /// A named sheet as it is fed for a film: upright, or turned if the film is wide.
 Paper paper_for(Paper named, const Film& film);
 
-/// All names, for messages and completion: "3.5x5, 4x6 and A4".
+/// All names, for messages and completion: "3.5x5, 4x6 and SRA4".
 std::string paper_names();
 
 } // namespace integral

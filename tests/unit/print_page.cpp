@@ -43,6 +43,7 @@ BOOST_AUTO_TEST_CASE(papers)
     BOOST_TEST(paper_named("4X6")->width == 101.6);
     BOOST_TEST(std::fabs(paper_named("6x8")->height - 203.2) < 1e-12);
     BOOST_TEST(paper_named("a4")->height == 297);
+    BOOST_TEST(paper_named("sra3")->width == 320);
     BOOST_TEST(!paper_named("7x4"));
 }
 
