@@ -78,13 +78,15 @@ BOOST_AUTO_TEST_CASE(lenses_of_all_frames_lie_on_the_common_sheets)
                     BOOST_REQUIRE(g.places.size() == 7u);
                     const Film& film = g.metadata.film;
                     const Complex sheet = lens_at(g.metadata, {0, 0, 0, 0});
-                    double largest = 0;
+                    double largest = 0, first = 0, last = 0;
                     int right = 0, bottom = 0;
                     for (std::size_t k = 0; k < 7; ++k) {
                         const PixelRectangle& place = g.places[k];
                         const Complex error = pitch * phase(g.metadata.sheet,
                                                             lens_at(frames[k], place) - sheet);
                         largest = std::max(largest, std::abs(error));
+                        first = std::min(first, error.real());
+                        last = std::max(last, error.real());
                         BOOST_TEST((place.width == frames[k].film.width &&
                                     place.height == frames[k].film.height));
                         right = std::max(right, place.x + place.width);
@@ -99,6 +101,8 @@ BOOST_AUTO_TEST_CASE(lenses_of_all_frames_lie_on_the_common_sheets)
                     const bool lenticular = arrangement == Arrangement::lenticular;
                     BOOST_TEST(largest <= (lenticular ? 0.5 : std::sqrt(0.5)) * pixel + 1e-9);
                     BOOST_TEST(std::fabs(largest - g.largest_error) < 1e-9);
+                    if (lenticular) // the sheet stands in the middle of the errors
+                        BOOST_TEST(std::fabs(first + last) < 1e-9);
                     BOOST_TEST((film.width == right && film.height == bottom));
                     BOOST_TEST((right <= 1300 && bottom <= 900));
                 }
