@@ -69,7 +69,7 @@ def check_document(pdf, catalog, profile):
         rule(pdf.stream(stored) == open(profile, "rb").read(), "its bytes are the press's")
 
 
-def check_metadata(pdf, catalog):
+def check_metadata(pdf, catalog, about):
     reference = catalog.get("/Metadata")
     rule(reference, "it has metadata")
     if not reference:
@@ -89,6 +89,11 @@ def check_metadata(pdf, catalog):
             adobe + "mm/}DocumentID": "uuid:[0-9a-f-]{36}", adobe + "mm/}VersionID": ".+",
             adobe + "mm/}RenditionClass": ".+"}.items():
         rule(re.fullmatch(pattern, values.get(name, "")), "XMP " + name)
+    rule("/" + values["{http://ns.adobe.com/pdf/1.3/}Trapped"] == about["/Trapped"] and
+         values["{http://purl.org/dc/elements/1.1/}title"] == about["/Title"] and
+         all(re.sub("[-T:Z]", "", values[adobe + "}" + xmp]) == re.sub("[D:Z]", "", about[info])
+             for xmp, info in (("CreateDate", "/CreationDate"), ("ModifyDate", "/ModDate"))),
+         "XMP and Info agree")
 
 
 def check_page(pdf, page):
@@ -118,7 +123,7 @@ def main():
     catalog = pdf.get(pdf.objects["trailer"]["/Root"])
     rule(1.3 < float(open(sys.argv[1], "rb").read(8)[5:]) <= 1.6, "it is PDF 1.4 to 1.6")
     check_document(pdf, catalog, sys.argv[2])
-    check_metadata(pdf, catalog)
+    check_metadata(pdf, catalog, pdf.get(pdf.objects["trailer"]["/Info"]))
     for page in pdf.pages():
         check_page(pdf, page)
     rule(pdf.pages(), "it has pages")
