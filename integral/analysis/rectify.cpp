@@ -46,6 +46,7 @@ Film film_of_scan(const ScanMap& map, int scan_width, int scan_height, Vec2 pixe
     };
     Film film = like;
     film.pixel_pitch = pixel_pitch;
+    film.bleed = 0; // a print that is cut has none, and one that is not shows it
     film.width = side(half.x, pixel_pitch.x, like.width & 1);
     film.height = side(half.y, pixel_pitch.y, like.height & 1);
     return film;
@@ -56,6 +57,7 @@ Film film_to_make(const Film& requested, bool of_that_size, const ScanMap& map, 
     constexpr int largest_frame_side = 65500; // pixels
     const Film held = film_of_scan(map, scan.width, scan.height, requested.pixel_pitch, requested);
     Film film = requested;
+    film.bleed = held.bleed;
     if (!of_that_size) {
         film.width = requested.width > 0 ? std::min(requested.width, held.width) : held.width;
         film.height = requested.height > 0 ? std::min(requested.height, held.height) : held.height;

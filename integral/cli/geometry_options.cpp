@@ -177,6 +177,11 @@ FrameMetadata geometry_for_pictures(const PicturesFrameOptions& given, const std
         throw InputError(*given.start +
                          ": it is for replay through a projection lens, and pictures make "
                          "no frame for that");
+    if (geometry.film.bleed > 0) { // pictures end at their edges
+        geometry.film.bleed = 0;
+        if (given.print)
+            set_film_size("print", *given.print, geometry.film);
+    }
     if (geometry.film.width < 1)
         set_default_size(picture, geometry.film);
     change_aperture(given.aperture, geometry,

@@ -10,11 +10,11 @@
 namespace integral {
 namespace {
 
-constexpr std::size_t most_layers = 256;
+constexpr std::size_t max_layers = 256;
 constexpr double largest_layer = 1e6; // mm
-constexpr double most_degrees = 89;
-constexpr char layer_form[] =
-    "PICTURE@DISTANCE[,width=MM][,height=MM][,x=MM][,y=MM][,turn=DEGREES][,tilt=DEGREES]";
+constexpr double max_degrees = 89;
+constexpr char layer_form[] = "PICTURE@DISTANCE[,DISTANCE...][,width=MM][,height=MM][,x=MM][,y=MM]["
+                              ",turn=DEGREES][,tilt=DEGREES]";
 
 struct LayersOptions : CommonOptions {
     PicturesFrameOptions frame;
@@ -73,9 +73,9 @@ void read_layer_word(const std::string& word, const std::string& given, PictureL
     else if (value && name == "y")
         layer.place.y = within(largest_layer, too_far);
     else if (value && name == "turn")
-        layer.turn = within(most_degrees, too_much);
+        layer.turn = within(max_degrees, too_much);
     else if (value && name == "tilt")
-        layer.tilt = within(most_degrees, too_much);
+        layer.tilt = within(max_degrees, too_much);
     else
         throw UsageError(given + ": " + word +
                          " is not one of width=MM, height=MM, x=MM, y=MM, turn=DEGREES, "
@@ -111,8 +111,10 @@ std::vector<PictureLayer> layers_of(const std::string& given)
     std::vector<PictureLayer> layers(distances.size(), layer);
     for (std::size_t k = 0; k < layers.size(); ++k) {
         layers[k].distance = distances[k];
-        if (layers.size() > 1)
+        if (layers.size() > 1) {
             layers[k].picture = int(k);
+            layers[k].pictures = int(layers.size());
+        }
     }
     return layers;
 }
@@ -123,8 +125,8 @@ LayersRequest request_of(const LayersOptions& o)
     for (const std::string& given : o.inputs)
         for (const PictureLayer& layer : layers_of(given))
             request.layers.push_back(layer);
-    if (request.layers.size() > most_layers)
-        throw UsageError("at most " + std::to_string(most_layers) + " layers are possible");
+    if (request.layers.size() > max_layers)
+        throw UsageError("at most " + std::to_string(max_layers) + " layers are possible");
     request.output = needed_output(o.output, "FRAME");
     request.depth_output = o.depth.value_or("");
     if (o.depth)
@@ -169,7 +171,7 @@ Prints for each layer how large it is at its distance, how far it moves while th
 the viewing zone, and whether the sheet and film show that depth sharply.
 )",
     1,
-    int(most_layers),
+    int(max_layers),
     described<LayersOptions>,
     run_with<LayersOptions, run>};
 

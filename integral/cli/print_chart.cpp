@@ -25,6 +25,7 @@ FrameMetadata nominal_geometry(const PrintOptions& o)
     const std::string start = o.start.value_or("");
     FrameMetadata geometry = start.empty() ? default_geometry() : read_metadata(start);
     geometry.film.width = geometry.film.height = 0;
+    geometry.film.bleed = 0; // charts and sheets have none
     change_sheet(o.sheet, geometry.sheet);
     change_film(o.film, geometry.film);
     check_geometry(geometry);

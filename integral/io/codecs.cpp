@@ -79,8 +79,8 @@ std::vector<OpenView> views_of_exr(const InputFile& file)
 std::vector<OpenView> views_of_tiff(const InputFile& file)
 {
     std::vector<OpenView> views;
-    for (int picture = 0, count = pictures_in_tiff(file); picture < count; ++picture)
-        views.push_back([&file, picture] { return read_tiff(file, picture); });
+    for (const int directory : picture_directories_of_tiff(file))
+        views.push_back([&file, directory] { return read_tiff(file, directory); });
     return views;
 }
 
@@ -120,9 +120,11 @@ std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& pa
 }
 
 std::vector<Image> read_list_of_views(const InputFile& file,
-                                      const std::function<void(RowReader&)>& take_notices)
+                                      const std::function<void(RowReader&)>& take_notices,
+                                      std::size_t most)
 {
-    const std::vector<OpenView> views = views_of(file);
+    std::vector<OpenView> views = views_of(file);
+    views.resize(std::min(views.size(), most));
     double bytes = 0;
     for (const OpenView& open : views)
         bytes += size_in_bytes(open()->head().image);

@@ -68,21 +68,22 @@ struct ByteRange {
 /// Each function opens a picture and reads its metadata, but no pixels. Throws std::runtime_error
 /// with the reason (without the file's name) if the file is not valid. The file must outlive the
 /// reader. Grey pictures are read as three equal channels, CMYK as RGB. `view`: the number of a
-/// view, from the left; without it the leftmost of several views is read, with a notice. `picture`:
-/// likewise the number of a picture, in the file's order. The rows are as stored: neither turned
+/// view, from the left; without it the leftmost of several views is read, with a notice.
+/// `directory`: of a TIFF's picture; without it the first of several pictures is read, with a
+/// notice. The rows are as stored: neither turned
 /// upright nor converted from a profile of R, G and B.
 std::unique_ptr<RowReader> read_png(const InputFile& file);
 std::unique_ptr<RowReader> read_exr(const InputFile& file, std::optional<int> view = {});
-std::unique_ptr<RowReader> read_tiff(const InputFile& file, std::optional<int> picture = {});
+std::unique_ptr<RowReader> read_tiff(const InputFile& file, std::optional<int> directory = {});
 std::unique_ptr<RowReader> read_jpeg(const InputFile& file, ByteRange range = {});
 
 /// Number of views in an OpenEXR file: 1 unless it is a stereo or multi-view picture. Throws as
 /// read_exr does.
 int views_in_exr(const InputFile& file);
 
-/// Number of pictures in a TIFF, without small copies and masks of other pictures. Throws as
-/// read_tiff does.
-int pictures_in_tiff(const InputFile& file);
+/// The directories of a TIFF's pictures, in the file's order, without small copies and masks of
+/// other pictures. Throws as read_tiff does.
+std::vector<int> picture_directories_of_tiff(const InputFile& file);
 
 /// Opens a picture of any of these formats, by the file's first bytes, and shows it as viewers do:
 /// upright, and in the working space. `path`: the file's name; if the format is not recognised, its
@@ -90,11 +91,12 @@ int pictures_in_tiff(const InputFile& file);
 std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& path = "");
 
 /// Reads all views of an MPO or a multi-view OpenEXR, the leftmost first, or all pictures of a
-/// TIFF; any other file gives one picture. `take_notices` gets the readers' notices. Throws
-/// std::runtime_error if a picture cannot be read, or, before any pixel is read, if all pictures
-/// together need more memory than is free.
+/// TIFF, but at most `most` of them; any other file gives one picture. `take_notices` gets the
+/// readers' notices. Throws std::runtime_error if a picture cannot be read, or, before any pixel is
+/// read, if all pictures together need more memory than is free.
 std::vector<Image> read_list_of_views(const InputFile& file,
-                                      const std::function<void(RowReader&)>& take_notices);
+                                      const std::function<void(RowReader&)>& take_notices,
+                                      std::size_t most = SIZE_MAX);
 
 /// Reads a whole picture; no row may have been read before. Throws std::runtime_error if the
 /// picture cannot be read or needs more memory than is free.

@@ -233,11 +233,12 @@ bool is_list_of_views(const std::string& path)
     return guarded(path, [&] { return views_in_exr(file) > 1; });
 }
 
-std::vector<Image> read_list_of_views(const std::string& path)
+std::vector<Image> read_list_of_views(const std::string& path, std::size_t most)
 {
     const InputFile file(path);
     return guarded(path, [&] {
-        return read_list_of_views(file, [&](RowReader& rows) { pass_notices(path, rows); });
+        return read_list_of_views(
+            file, [&](RowReader& rows) { pass_notices(path, rows); }, most);
     });
 }
 

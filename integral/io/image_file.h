@@ -101,9 +101,9 @@ bool is_mpo(const std::string& path);
 /// stereo or multi-view OpenEXR. Throws InputError if an OpenEXR cannot be read.
 bool is_list_of_views(const std::string& path);
 
-/// Reads all views of a file, the leftmost first, or all pictures of a TIFF; other files give one
-/// picture. Throws InputError.
-std::vector<Image> read_list_of_views(const std::string& path);
+/// Reads all views of a file, the leftmost first, or all pictures of a TIFF, but at most `most`;
+/// other files give one picture. Throws InputError.
+std::vector<Image> read_list_of_views(const std::string& path, std::size_t most = SIZE_MAX);
 
 /// Width and height of a picture, without reading its pixels. Throws InputError.
 std::pair<int, int> picture_size(const std::string& path);

@@ -219,13 +219,12 @@ std::optional<Vec2> pixel_pitch_of(TIFF* tiff)
 
 void go_to_directory(TIFF* tiff, int directory)
 {
-    clear_tiff_error(); // an error in another picture
     if (!TIFFSetDirectory(tiff, std::uint16_t(directory)))
         fail_tiff("it cannot be opened as a TIFF");
 }
 
-/// The directories of a file's pictures, without small copies and masks of other pictures. Ends at
-/// the first picture, or at a later one.
+/// The directories of a file's pictures, without small copies and masks of other pictures; the
+/// first directory if there are only such. Leaves another directory open.
 std::vector<int> picture_directories(TIFF* tiff)
 {
     constexpr int most = 1000;
@@ -238,20 +237,23 @@ std::vector<int> picture_directories(TIFF* tiff)
         if (TIFFLastDirectory(tiff) || !TIFFReadDirectory(tiff))
             break;
     }
-    return pictures;
+    clear_tiff_error(); // an error in another picture
+    return pictures.empty() ? std::vector<int>{0} : pictures;
 }
 
 class TiffReader : public RowReader {
 public:
-    TiffReader(const InputFile& file, std::optional<int> picture)
+    TiffReader(const InputFile& file, std::optional<int> directory)
     {
         stream_.input = &file;
         tiff_ = open_tiff(stream_, "rm"); // m: no memory mapping
         TIFF* tiff = tiff_.get();
-        if (!TIFFLastDirectory(tiff)) {
+        if (directory) {
+            go_to_directory(tiff, *directory);
+        } else if (!TIFFLastDirectory(tiff)) {
             const std::vector<int> pictures = picture_directories(tiff);
-            go_to_directory(tiff, picture ? pictures.at(std::size_t(*picture)) : 0);
-            if (!picture && pictures.size() > 1)
+            go_to_directory(tiff, pictures.front());
+            if (pictures.size() > 1)
                 add_notice("it holds " + std::to_string(pictures.size()) +
                            " pictures; the first is read");
         }
@@ -345,19 +347,16 @@ private:
 
 } // namespace
 
-std::unique_ptr<RowReader> read_tiff(const InputFile& file, std::optional<int> picture)
+std::unique_ptr<RowReader> read_tiff(const InputFile& file, std::optional<int> directory)
 {
-    return std::make_unique<TiffReader>(file, picture);
+    return std::make_unique<TiffReader>(file, directory);
 }
 
-int pictures_in_tiff(const InputFile& file)
+std::vector<int> picture_directories_of_tiff(const InputFile& file)
 {
     TiffStream stream;
     stream.input = &file;
-    const TiffHandle tiff = open_tiff(stream, "rm");
-    const int pictures = int(picture_directories(tiff.get()).size());
-    clear_tiff_error(); // an error in another picture
-    return pictures;
+    return picture_directories(open_tiff(stream, "rm").get());
 }
 
 } // namespace integral

@@ -177,6 +177,9 @@ std::vector<std::string> find_errors(const CameraParameters& p)
              {film_size(p).x / p.film.pixel_pitch.x, film_size(p).y / p.film.pixel_pitch.y})
             if (!in(pixels, 0.5, largest_side))
                 errors.push_back(pixels_error(*p.print_size, pixels));
+    if (p.projection_lens && p.film.bleed > 0)
+        errors.push_back("a bleed does not work with projection_lens, whose film is not cut: leave "
+                         "bleed out of film");
     if (refracts_at_surface(p.model) && !has_surface(p.sheet))
         errors.push_back(surface_error(p.sheet, p.model));
     constexpr double most_rays = 1 << 20;

@@ -69,8 +69,8 @@ struct CameraParameters {
     bool pseudoscopic = false; ///< Lippmann's single-stage capture: inverted in depth
 };
 
-/// The sentence for a film of which its bleed leaves nothing; empty for other films, and where the
-/// film has no size.
+/// The sentence for a bleed that uses up the film; empty for less bleed, and for a film without a
+/// size.
 std::string bleed_error(const Film& film);
 
 /// Pixel width and height of a picture of print_size (which must be given) and its bleed on this

@@ -29,8 +29,8 @@ struct Lenses {
     double pitch, row_spacing;
 };
 
-/// Computes the film points, and in `beside` how far each point is from its lens's middle, pitches,
-/// along the axis on which it is farther.
+/// Computes the film points. `beside`: distance of each point from its lens's middle along the axis
+/// on which it is greater, in pitches.
 template <bool lenticular>
 inline __attribute__((always_inline)) void compute(const Lenses lenses, double distance,
                                                    FilmSeenRun& run, double* __restrict beside)

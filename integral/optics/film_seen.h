@@ -16,7 +16,8 @@ struct FilmSeenRun {
     std::array<double, length> x, y, eye_x, eye_y, film_x, film_y;
 };
 
-/// Computes SheetOptics::film_point_seen for the first `number` points, bit for bit the same.
+/// Computes SheetOptics::film_point_seen for the first `number` points, bit for bit the same. All
+/// entries of the run must be initialised; the film points of further ones become arbitrary.
 /// `distance`: of all eyes in front of the sheet.
 void film_points_seen(const SheetOptics& optics, double distance, int number, FilmSeenRun& run);
 

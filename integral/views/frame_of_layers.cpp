@@ -133,8 +133,8 @@ struct PlacedLayer {
     }
 
     /// Solves p = s - q(p) a for the place p on the line of sight through a point s of the sheet
-    /// and a point a of the aperture plane; q: the parallax. A plane that the eye at a sees from
-    /// behind, or that ends before its line of sight, gets the parallax 1, that of infinity.
+    /// and a point a of the aperture plane; q: the parallax. The parallax is 1, that of infinity,
+    /// if the eye at a is behind the plane or does not look towards it.
     LayerPoint point(Vec2 sheet_point, Vec2 aperture_point) const
     {
         const LayerPlane& plane = layer->plane;
@@ -145,15 +145,15 @@ struct PlacedLayer {
 
     FourFloats at(const LayerPoint& point) const
     {
-        if (!layer->plane.tilted())
-            return pictures[0].at(point.place);
         if (point.parallax >= 1)
             return FourFloats{0, 0, 0, 0};
+        if (pictures.size() == 1)
+            return pictures[0].at(point.place);
         const auto [least, greatest] = layer->range;
         const std::size_t parts = layer->picture_of.size();
         const double part = double(parts) * (point.parallax - least) / (greatest - least);
-        const std::size_t chosen = std::size_t(std::clamp(part, 0.0, double(parts - 1)));
-        return pictures[std::size_t(layer->picture_of[chosen])].at(point.place);
+        const std::size_t index = std::size_t(std::clamp(part, 0.0, double(parts - 1)));
+        return pictures[std::size_t(layer->picture_of[index])].at(point.place);
     }
 
     const DrawnLayer* layer;
@@ -246,14 +246,15 @@ struct FrameOfLayers::State {
             }
             return;
         }
-        thread_local std::vector<std::pair<LayerPoint, const PlacedLayer*>> met;
-        met.clear();
-        for (const PlacedLayer& layer : layers)
-            met.emplace_back(layer.point(sheet_point, aperture_point), &layer);
-        std::stable_sort(met.begin(), met.end(), [](const auto& a, const auto& b) {
-            return a.first.parallax < b.first.parallax;
-        });
-        for (const auto& [point, layer] : met)
+        thread_local std::vector<std::pair<LayerPoint, const PlacedLayer*>> hits;
+        hits.clear();
+        for (const PlacedLayer& layer : layers) { // by insertion: their order changes little
+            hits.emplace_back(layer.point(sheet_point, aperture_point), &layer);
+            for (std::size_t k = hits.size() - 1;
+                 k > 0 && hits[k].first.parallax < hits[k - 1].first.parallax; --k)
+                std::swap(hits[k], hits[k - 1]);
+        }
+        for (const auto& [point, layer] : hits)
             if (!visit(layer->at(point), point.parallax))
                 return;
     }

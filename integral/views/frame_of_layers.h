@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Makes the frame of flat pictures that are parallel to the sheet, some rows at a time.
+// Makes the frame of flat pictures in space, some rows at a time.
 //
 // Places in a layer are measured on the sheet: as the eye in the middle of the aperture sees them
-// there. For a layer z mm behind the sheet and an eye d mm before it, the line of sight through a
-// point P of the sheet and A of the aperture plane meets the layer at the place P - rho A, with
-// rho = z/(d + z), the layer's parallax (relief.h).
+// there. Where a layer is z mm behind the sheet, and for an eye d mm before it, the line of sight
+// through a point P of the sheet and A of the aperture plane meets the layer at the place P - rho
+// A, with rho = z/(d + z), the layer's parallax there (relief.h).
 #ifndef INTEGRAL_VIEWS_FRAME_OF_LAYERS_H
 #define INTEGRAL_VIEWS_FRAME_OF_LAYERS_H
 
@@ -32,8 +32,8 @@ inline double layer_depth(double parallax, double distance)
     return parallax * distance / (1 - parallax);
 }
 
-/// A layer's plane. Its points are named by their places on the sheet as the eye in the middle
-/// sees them, mm. The parallax of a plane is an affine function of this place.
+/// A layer's plane. A point of it has a place: where the eye in the middle sees it on the sheet,
+/// mm. The parallax is an affine function of this place.
 struct LayerPlane {
     double parallax = 0; ///< at the sheet's centre
     Vec2 slope;          ///< change of the parallax a mm to the right, and upwards
@@ -42,9 +42,9 @@ struct LayerPlane {
     bool tilted() const { return slope.x != 0 || slope.y != 0; }
 };
 
-/// The plane through the place `middle`, z mm behind the sheet there. `gradient`: mm that it goes
-/// back for each mm to the right, and upwards. Empty if the eye in the middle, at `distance`, is
-/// not in front of it.
+/// The plane through the place `middle`, z mm behind the sheet there. `gradient`: slopes, mm that
+/// it goes back for each mm to the right, and upwards. Empty if the eye in the middle, at
+/// `distance`, is not in front of it.
 std::optional<LayerPlane> layer_plane(double z, Vec2 gradient, Vec2 middle, double distance);
 
 struct ParallaxRange {
@@ -61,7 +61,7 @@ struct DrawnLayer {
     ParallaxRange range;
     /// The first is as fine as the plane can show it anywhere, each further one half as fine.
     std::vector<LayerPicture> pictures;
-    std::vector<int> picture_of; ///< index of a picture for each of equal parts of `range`
+    std::vector<int> picture_of; ///< indices of `pictures`, for equal parts of `range`
 };
 
 /// The picture reduced to the detail that a pixel of the frame shows of a layer in that window:

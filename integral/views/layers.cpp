@@ -103,7 +103,7 @@ public:
         }
         if (path_ != layer.path) {
             pictures_.clear();
-            pictures_ = read_list_of_views(layer.path);
+            pictures_ = read_list_of_views(layer.path, std::size_t(layer.pictures));
             path_ = layer.path;
         }
         if (*layer.picture >= int(pictures_.size()))
@@ -127,8 +127,9 @@ LayerPlane plane_of(const PictureLayer& layer, const LayerWindow& window, double
                                    window.middle, viewing);
     if (!plane || !(parallax_range(*plane, window).greatest < 1))
         throw std::invalid_argument(name_of(layer) +
-                                    ": turned and tilted so far, its plane goes on to infinity "
-                                    "within the picture; give a smaller angle or size");
+                                    ": turned and tilted so far, its plane goes on to infinity or "
+                                    "behind the eye within the picture; give a smaller angle, size "
+                                    "or offset");
     return *plane;
 }
 
@@ -177,9 +178,10 @@ Inputs read_layers(const LayersRequest& request, LayersView& view)
                                {}});
         if (plane.tilted())
             set_range(plane, window, viewing, view);
-        else if (!farthest || layer.distance > farthest->distance) {
+        if (!farthest || layer.distance > farthest->distance) {
             farthest = &layer;
-            view.bare = bare_edge(layer, window, shape, geometry, zone);
+            view.bare = plane.tilted() ? std::nullopt
+                                       : bare_edge(layer, window, shape, geometry, zone);
         }
         all.layers.push_back(drawn_layer(image, plane, window, geometry, request.threads));
     }

@@ -21,14 +21,16 @@ constexpr double max_layer_distance = 1e6; // mm behind the sheet
 /// in the middle sees them there, so that another distance does not change the picture from there.
 struct PictureLayer {
     std::string path;
-    std::optional<int> picture; ///< number of the picture in a file of several; else the first
+    std::optional<int> picture; ///< index of the picture in a file of several; else the first
+    int pictures = 0;           ///< number of pictures of that file that have layers
     double distance = 0; ///< mm behind the sheet, as depth frames have it; negative: in front
     /// Size, mm. If only one side is given, the other follows from the picture's shape; if neither
     /// is, the picture is fitted to the film.
     std::optional<double> width, height;
     Vec2 place; ///< of the picture's middle, mm from the film's: to the right, and upwards
-    /// Degrees, -89 to 89: by which the right side (turn) and the upper side (tilt) go back from
-    /// the middle, which is at `distance`. The eye in the middle sees no difference.
+    /// Angles by which the right side (turn) and the upper side (tilt) go back from the middle,
+    /// which is at `distance`, in degrees, -89 to 89. Their tangents are the plane's slopes. The
+    /// eye in the middle sees no difference.
     double turn = 0, tilt = 0;
 };
 

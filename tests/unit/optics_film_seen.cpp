@@ -27,7 +27,9 @@ BOOST_AUTO_TEST_CASE(side_by_side_as_one_by_one)
         const SheetOptics optics(sheet, Aperture{distance, distance, distance});
         const Lattice& lattice = optics.lattice();
         const int number = 1 + int(random.between(0, FilmSeenRun::length - 0.5));
-        FilmSeenRun run{};
+        FilmSeenRun run;
+        for (auto* entries : {&run.x, &run.y, &run.eye_x, &run.eye_y})
+            entries->fill(NAN); // of further points
         for (int j = 0; j < number; ++j) {
             Vec2 point{random.between(-50, 50) * sheet.pitch,
                        random.between(-50, 50) * sheet.pitch};

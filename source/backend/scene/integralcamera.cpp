@@ -284,7 +284,7 @@ void Get_Integral_Statistics(const Camera& camera, POVMS_Object& statistics)
     statistics.SetInt(kIntegralAttrib_Containers, counts.containers);
     statistics.SetInt(kIntegralAttrib_Objects, counts.objects);
 
-    const integral::Vec2 size = size_of(view.optics->film);
+    const integral::Vec2 size = trimmed_size(view.optics->film);
     statistics.SetFloat(kIntegralAttrib_PrintWidth, size.x);
     statistics.SetFloat(kIntegralAttrib_PrintHeight, size.y);
     statistics.SetInt(kIntegralAttrib_Draft, camera.Integral->draft);
