@@ -134,6 +134,7 @@ unit_sources = \
   tests/unit/picture_files.h \
   tests/unit/pixel_origins.h \
   tests/unit/print_gang.cpp \
+  tests/unit/print_lens_halftone.cpp \
   tests/unit/print_media.cpp \
   tests/unit/print_page.cpp \
   tests/unit/print_pitch_chart.cpp \

@@ -71,6 +71,8 @@ inline constexpr Choice<Intent> intent_choices[] = {{"perceptual", Intent::perce
                                                     {"absolute", Intent::absolute}};
 inline constexpr Choice<WhiteInk> white_choices[] = {{"full", WhiteInk::full},
                                                      {"picture", WhiteInk::picture}};
+/// Keywords of --halftone; whether it is grey.
+inline constexpr Choice<bool> halftone_choices[] = {{"black", true}, {"colour", false}};
 /// Keywords of --blend and --sampling.
 inline constexpr Choice<Neighbours> neighbours_choices[] = {{"nearest", Neighbours::nearest},
                                                             {"linear", Neighbours::linear}};

@@ -52,6 +52,7 @@ PrintSettings settings_of(const PrintOptions& o, FrameReader& frame)
     if (o.strip)
         settings.page.strip = settings.title;
     settings.profile = o.icc;
+    settings.halftone = halftone_of(o);
     return settings;
 }
 
@@ -114,7 +115,9 @@ int print_chart(const PrintOptions& o)
                     {"white", o.white},
                     {"bits", o.bits},
                     {"icc", o.icc},
-                    {"intent", o.intent}},
+                    {"intent", o.intent},
+                    {"halftone", o.halftone},
+                    {"levels", o.levels}},
                    "is for frames, not for charts");
     if (o.even && o.printer)
         throw UsageError("--printer does not work with --even");

@@ -114,6 +114,11 @@ void declare(options::options_description& all, PrintOptions& o)
         "white as a fifth ink, for a CMYK profile: full, on the whole page, or picture, under it "
         "as "
         "far as it is opaque");
+    add(all, "halftone", o.halftone, "INK",
+        "dots that follow the lenses, for printers of two tones or of few levels: black, in one "
+        "ink; or colour, of red, green and blue each");
+    add(all, "levels", o.levels, "N",
+        "with --halftone: the levels that a dot can have, 2 to 16 (default 2: a dot or none)");
     add(all, "printer", o.printer, "NAME",
         "print it, to a queue of CUPS; ? lists them. -o is then not needed");
     add(all, "copies", o.copies, "N", "how many, 1 to 1000 (default 1)");
@@ -223,6 +228,19 @@ Intent intent_of(const PrintOptions& o)
     if (o.intent && !o.icc)
         throw UsageError("--intent needs --icc");
     return meaning_of("intent", o.intent.value_or("relative"), intent_choices);
+}
+
+std::optional<HalftoneSettings> halftone_of(const PrintOptions& o)
+{
+    if (!o.halftone) {
+        throw_if_given({{"levels", o.levels}}, "is for --halftone");
+        return std::nullopt;
+    }
+    throw_if_given({{"bits", o.bits}, {"icc", o.icc}}, "does not work with --halftone");
+    HalftoneSettings settings;
+    settings.grey = meaning_of("halftone", *o.halftone, halftone_choices);
+    settings.levels = in_range("levels", o.levels.value_or(2), 2, most_levels);
+    return settings;
 }
 
 } // namespace integral

@@ -15,8 +15,8 @@ struct PrintOptions : CommonOptions {
     // Frames:
     std::optional<std::string> paper, orientation, feed, centre, bleed, marks, overlap, icc, intent;
     std::optional<std::string> gap, repeat; ///< of several on a page
-    std::optional<std::string> white;
-    std::optional<int> bits;
+    std::optional<std::string> white, halftone;
+    std::optional<int> bits, levels;
     bool strip = false, mirror = false, tile = false;
     // Printers:
     std::optional<std::string> printer, medium;
@@ -38,6 +38,9 @@ Paper parse_paper_size(const std::string& text);
 
 /// The value of --intent. Throws UsageError.
 Intent intent_of(const PrintOptions& o);
+
+/// The halftone of --halftone and --levels, if any. Throws UsageError.
+std::optional<HalftoneSettings> halftone_of(const PrintOptions& o);
 
 /// The printer's pixel pitch, mm, from --dpi and --feed. Throws UsageError, and as printer_pitch
 /// (print/frame_print.h) does.

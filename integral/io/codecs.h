@@ -32,6 +32,8 @@ struct DecodedImage {
                                      ///< applies
     std::vector<std::string> inks{}; ///< names of the channels if they are inks: cyan, magenta,
                                      ///< yellow, black, and spot inks. Only for writing TIFF
+    bool two_tone = false; ///< to write: all samples, 8 bits of one channel, are 0 or 255,
+                           ///< and PNG and TIFF store them in one bit
 };
 
 /// Reads a picture row by row, from the top.

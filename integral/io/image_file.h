@@ -150,6 +150,11 @@ public:
                                  const std::optional<FrameMetadata>& geometry,
                                  const std::vector<std::string>& inks = {});
 
+    /// Writes a page of one channel of 8 bits, sRGB, without a profile. If `two_tone`, all samples
+    /// are 0 or 255, and the file stores them in one bit.
+    static PictureWriter of_grey_page(const std::string& path, const Image& form, Vec2 pixel_pitch,
+                                      bool two_tone, const std::optional<FrameMetadata>& geometry);
+
     PictureWriter(PictureWriter&&) noexcept;
     ~PictureWriter(); ///< keeps an old file at the path unless finish() was called
 

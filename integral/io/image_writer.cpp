@@ -123,6 +123,19 @@ PictureWriter PictureWriter::of_page(const std::string& path, const Image& form,
     return PictureWriter(std::make_unique<Target>(path, head, form));
 }
 
+PictureWriter PictureWriter::of_grey_page(const std::string& path, const Image& form,
+                                          Vec2 pixel_pitch, bool two_tone,
+                                          const std::optional<FrameMetadata>& geometry)
+{
+    DecodedImage head;
+    head.image = form_of(form);
+    if (geometry)
+        head.document = to_json(*geometry);
+    head.pixel_pitch = pixel_pitch;
+    head.two_tone = two_tone;
+    return PictureWriter(std::make_unique<Target>(path, head, form));
+}
+
 void PictureWriter::write(const Image& band)
 {
     Target& t = *target_;

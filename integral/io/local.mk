@@ -38,6 +38,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/markup.h \
   integral/io/mpo_file.cpp \
   integral/io/mpo_file.h \
+  integral/io/packed_bits.h \
   integral/io/pdf_file.cpp \
   integral/io/pdf_file.h \
   integral/io/pfm_file.cpp \

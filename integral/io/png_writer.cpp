@@ -2,6 +2,7 @@
 // Writes PNG: the document in an iTXt chunk `integral`, the resolution in pHYs, the encoding in
 // sRGB or gAMA.
 #include "integral/io/codecs.h"
+#include "integral/io/packed_bits.h"
 #include "integral/io/png_session.h"
 
 #include <cmath>
@@ -60,7 +61,7 @@ bool write_header(PngSession& s, const DecodedImage& picture)
     const Image& image = picture.image;
     png_set_write_fn(s.png, &s, on_write, on_flush);
     png_set_IHDR(s.png, s.info, png_uint_32(image.width), png_uint_32(image.height),
-                 sample_bits(image),
+                 picture.two_tone ? 1 : sample_bits(image),
                  image.channels == 1   ? PNG_COLOR_TYPE_GRAY
                  : image.channels == 4 ? PNG_COLOR_TYPE_RGBA
                                        : PNG_COLOR_TYPE_RGB,
@@ -109,13 +110,18 @@ struct WriteSession : PngSession {
 
 class PngWriter : public RowWriter {
 public:
-    PngWriter(ByteSink& sink, const DecodedImage& head)
+    PngWriter(ByteSink& sink, const DecodedImage& head) : two_tone_(head.two_tone)
     {
         s_.output = &sink;
         check(write_header(s_, head));
     }
     void write(const Image& band) override
     {
+        if (two_tone_) {
+            for (int y = 0; y < band.height; ++y)
+                check(write_rows(s_, packed_bits(row_bytes(band, y), band.width).data(), 0, 1));
+            return;
+        }
         check(write_rows(s_, row_bytes(band, 0), bytes_a_row(band), band.height));
     }
     void finish() override { check(write_end(s_)); }
@@ -130,6 +136,7 @@ private:
     }
 
     WriteSession s_;
+    bool two_tone_;
 };
 
 } // namespace

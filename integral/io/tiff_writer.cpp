@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Writes TIFF: the document in ImageDescription, the resolution in the resolution tags. 8 or 16 bit
-// integers or 32 bit floats; grey or RGB, with or without alpha, or inks; in strips.
+// integers or 32 bit floats, or two tones in 1 bit; grey or RGB, with or without alpha, or inks; in
+// strips.
 #include "integral/io/codecs.h"
+#include "integral/io/packed_bits.h"
 #include "integral/io/tiff_stream.h"
 
 #include "integral/optics/film.h"
@@ -13,13 +15,13 @@ namespace {
 
 class TiffWriter : public RowWriter {
 public:
-    TiffWriter(ByteSink& sink, const DecodedImage& head)
+    TiffWriter(ByteSink& sink, const DecodedImage& head) : two_tone_(head.two_tone)
     {
         stream_.output = &sink;
         tiff_ = open_tiff(stream_, "w");
         TIFF* tiff = tiff_.get();
         const Image& image = head.image;
-        const int bits = sample_bits(image);
+        const int bits = two_tone_ ? 1 : sample_bits(image);
         TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, image.width);
         TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, image.height);
         TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
@@ -33,8 +35,9 @@ public:
                                            : PHOTOMETRIC_RGB);
         TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
         TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
-        TIFFSetField(tiff, TIFFTAG_PREDICTOR,
-                     bits == 32 ? PREDICTOR_FLOATINGPOINT : PREDICTOR_HORIZONTAL);
+        if (!two_tone_)
+            TIFFSetField(tiff, TIFFTAG_PREDICTOR,
+                         bits == 32 ? PREDICTOR_FLOATINGPOINT : PREDICTOR_HORIZONTAL);
         TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
         if (!head.inks.empty()) {
             set_inks(head.inks);
@@ -61,7 +64,10 @@ public:
                                    (sample_bits(band) / 8);
         row_.resize(length); // libtiff's predictor works in place
         for (int y = 0; y < band.height; ++y, ++next_) {
-            std::memcpy(row_.data(), row_bytes(band, y), length);
+            if (two_tone_)
+                row_ = packed_bits(row_bytes(band, y), length);
+            else
+                std::memcpy(row_.data(), row_bytes(band, y), length);
             check(TIFFWriteScanline(tiff_.get(), row_.data(), next_) >= 0);
         }
     }
@@ -102,6 +108,7 @@ private:
     TiffHandle tiff_;
     std::vector<unsigned char> row_;
     std::uint32_t next_ = 0;
+    bool two_tone_;
 };
 
 } // namespace

@@ -142,6 +142,15 @@ Vec2 printer_pitch(const Film& film, Vec2 feed, const std::optional<Vec2>& dpi)
 Image over_white(Image picture, int bits)
 {
     const Encoding srgb;
+    if (picture.channels == 1) {
+        Image page = blank_like(form_of(bits, picture.width, picture.height, 3, picture.encoding),
+                                picture.width, picture.height);
+        for_each_row(picture.height, 0, [&](int y) {
+            for (int x = 0; x < picture.width; ++x)
+                store_pixel(page, x, y, stored_pixel(picture, x, y));
+        });
+        return page;
+    }
     if (picture.channels == 3)
         return sample_bits(picture) == bits && same_encoding(picture.encoding, srgb)
                    ? std::move(picture)
@@ -172,14 +181,23 @@ FramePrint::FramePrint(const std::vector<FrameReader*>& frames, const FrameMetad
     int bits = settings.bits;
     for (std::size_t k = 0; k < frames.size(); ++k) {
         const auto& placed = settings.page.frames;
-        sources_.push_back({frames[k], placed.empty()
-                                           ? PixelRectangle{0, 0, film.width, film.height}
-                                           : placed.at(k).place});
+        Source source;
+        source.reader = frames[k];
+        source.place = placed.empty() ? PixelRectangle{0, 0, film.width, film.height}
+                                      : placed.at(k).place;
+        if (settings.halftone)
+            source.halftone.emplace(*frames[k]->frame().metadata, *settings.halftone);
+        sources_.push_back(std::move(source));
         if (settings.bits == 0)
             bits = std::max(bits, std::min(16, sample_bits(frames[k]->frame().image)));
     }
     form_ = form_of(bits, film.width, film.height, 3, Encoding());
     profile_ = srgb_profile();
+    if (settings.halftone) {
+        levels_ = settings.halftone->levels;
+        form_ = form_of(8, film.width, film.height, settings.halftone->grey ? 1 : 3, Encoding());
+        return;
+    }
     if (!settings.profile)
         return;
     profile_ = read_file(*settings.profile);
@@ -197,25 +215,57 @@ FramePrint::FramePrint(const std::vector<FrameReader*>& frames, const FrameMetad
     form_.channels = 5;
 }
 
-/// Rows of a frame in the profile's colours. Going back reads the file from its start again.
+bool FramePrint::is_two_tone() const { return levels_ == 2; }
+
+/// The frame's next rows.
+Image FramePrint::Source::read(int rows)
+{
+    const Image& frame = reader->frame().image;
+    stop_if_interrupted();
+    Image band = blank_like(frame, frame.width, rows);
+    reader->read(band);
+    next += rows;
+    return band;
+}
+
+/// Rows of a frame, halftoned in the blocks that the halftone requires.
+Image FramePrint::halftoned_rows(Source& source, int first, int count)
+{
+    Image& block = source.block;
+    if (first < source.next - block.height) {
+        source.reader->restart();
+        source.halftone->restart();
+        source.next = 0;
+        block = Image();
+    }
+    const int width = source.place.width, height = source.place.height;
+    Image picture = blank_like(form_, width, count);
+    for (int y = first; y < first + count; ++y) {
+        while (y >= source.next) {
+            Image rows = source.read(std::min(LensHalftone::block_rows, height - source.next));
+            block = source.halftone->apply(rows.channels == 3 ? rows
+                                                              : over_white(std::move(rows), 16));
+        }
+        std::memcpy(row_bytes(picture, y - first),
+                    row_bytes(block, y - (source.next - block.height)),
+                    std::size_t(width) * form_.channels);
+    }
+    return picture;
+}
+
+/// Rows of a frame in the profile's colours, or halftoned. Going back reads the file from its start
+/// again.
 Image FramePrint::rows_of_frame(Source& source, int first, int count)
 {
-    FrameReader& reader = *source.reader;
-    const Image& frame = reader.frame().image;
-    const auto read = [&](int rows) {
-        stop_if_interrupted();
-        Image band = blank_like(frame, frame.width, rows);
-        reader.read(band);
-        source.next += rows;
-        return band;
-    };
+    if (source.halftone)
+        return halftoned_rows(source, first, count);
     if (first < source.next) {
-        reader.restart();
+        source.reader->restart();
         source.next = 0;
     }
     while (source.next < first)
-        read(std::min(rows_of_a_band(frame), first - source.next));
-    const Image stored = read(count);
+        source.read(std::min(rows_of_a_band(source.reader->frame().image), first - source.next));
+    const Image stored = source.read(count);
     Image picture = over_white(stored, sample_bits(form_));
     if (transform_)
         picture = transform_->apply(std::move(picture));
@@ -270,6 +320,8 @@ PictureWriter FramePrint::page_writer(const Page& page, const std::string& path)
     Image form = form_;
     form.width = page.width;
     form.height = page.height;
+    if (form.channels == 1)
+        return PictureWriter::of_grey_page(path, form, pixel_pitch_, is_two_tone(), geometry);
     return PictureWriter::of_page(path, form, pixel_pitch_, profile_, geometry, inks());
 }
 
@@ -277,7 +329,10 @@ void FramePrint::write_pdf_file(const std::string& path)
 {
     OutputFile file(path);
     with_errors_named<std::exception>(
-        [&] { write_pdf(file, pages_, form_, row_source(), profile_, title_, time_of_print()); },
+        [&] {
+            write_pdf(file, pages_, form_, row_source(), profile_, title_, time_of_print(),
+                      is_two_tone());
+        },
         [&](const std::exception& error) { return OutputError(path + ": " + reason_of(error)); });
     file.finish();
 }

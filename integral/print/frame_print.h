@@ -6,6 +6,7 @@
 #include "integral/base/parallel.h"
 #include "integral/io/image_file.h"
 #include "integral/print/colour_profile.h"
+#include "integral/print/lens_halftone.h"
 #include "integral/print/page_raster.h"
 
 #include <optional>
@@ -30,7 +31,7 @@ std::string print_title(const std::string& path, const FrameMetadata& metadata);
 Vec2 printer_pitch(const Film& film, Vec2 feed, const std::optional<Vec2>& dpi);
 
 /// Composites a picture over white paper: three channels, 8 or 16 bits, sRGB. A picture of that
-/// form is returned unchanged.
+/// form is returned unchanged; grey becomes three equal channels.
 Image over_white(Image picture, int bits);
 
 struct PrintSettings {
@@ -41,6 +42,7 @@ struct PrintSettings {
     std::optional<std::string> profile; ///< path of the printer's ICC profile, RGB or CMYK;
                                         ///< by default sRGB
     Intent intent = Intent::relative;
+    std::optional<HalftoneSettings> halftone; ///< pages of 8 bits; works without a profile only
 };
 
 /// The pages of a frame, ready to be written. Only some rows of the frame are in memory at a time.
@@ -73,13 +75,19 @@ public:
 private:
     /// A frame, and its place in the picture.
     struct Source {
-        FrameReader* reader;
+        FrameReader* reader = nullptr;
         PixelRectangle place;
         int next = 0; ///< the reader's current row
+        std::optional<LensHalftone> halftone;
+        Image block; ///< the last halftoned rows: those before row `next`
+
+        Image read(int rows);
     };
 
     Image rows_of_frame(Source& source, int first, int count);
     Image rows(int first, int count);
+    Image halftoned_rows(Source& source, int first, int count);
+    bool is_two_tone() const;
     PictureRows row_source();
     PictureWriter page_writer(const Page& page, const std::string& path) const;
     void write_pdf_file(const std::string& path);
@@ -92,6 +100,7 @@ private:
     Vec2 pixel_pitch_;
     std::string profile_, title_; ///< the profile's bytes
     std::optional<ProfileTransform> transform_;
+    int levels_ = 0; ///< of the halftone, if there is one
 };
 
 } // namespace integral

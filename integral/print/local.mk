@@ -15,6 +15,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/print/frame_print.h \
   integral/print/gang.cpp \
   integral/print/gang.h \
+  integral/print/lens_halftone.cpp \
+  integral/print/lens_halftone.h \
   integral/print/page.cpp \
   integral/print/page.h \
   integral/print/page_marks.cpp \
@@ -41,6 +43,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/print/print_queue.h \
   integral/print/relief_chart.cpp \
   integral/print/relief_chart.h \
+  integral/print/seen_error.cpp \
+  integral/print/seen_error.h \
   integral/print/spool.cpp \
   integral/print/spool.h \
   integral/print/spool_document.cpp \

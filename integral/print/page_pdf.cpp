@@ -2,6 +2,7 @@
 #include "integral/print/page_pdf.h"
 
 #include "integral/base/number_text.h"
+#include "integral/io/packed_bits.h"
 #include "integral/print/page_text.h"
 #include "integral/print/pdfx.h"
 
@@ -58,6 +59,18 @@ std::vector<unsigned char> samples_of(const Image& image, Channels channels)
     return bytes;
 }
 
+/// The samples of a picture of two tones, a bit each; every row begins at a whole byte.
+std::vector<unsigned char> bits_of(const Image& image)
+{
+    std::vector<unsigned char> bytes;
+    for (int y = 0; y < image.height; ++y) {
+        const auto row = packed_bits(row_bytes(image, y),
+                                     std::size_t(image.width) * image.channels);
+        bytes.insert(bytes.end(), row.begin(), row.end());
+    }
+    return bytes;
+}
+
 /// The strip in black: letters of a font or, of inks, outlines, since a PDF/X holds all its fonts.
 std::string strip_of(const Page& page, bool inks)
 {
@@ -108,16 +121,17 @@ std::string content_of(const Page& page, bool inks)
 
 /// Adds channels of the page's part of the picture as an image; returns its object's number.
 int add_picture(PdfFile& pdf, const Page& page, const Image& form, const PictureRows& picture,
-                Channels channels, const std::string& colour_space)
+                Channels channels, const std::string& colour_space, bool two_tone)
 {
     const std::string entries = "/Type /XObject /Subtype /Image /Width " +
                                 std::to_string(page.part.width) + " /Height " +
                                 std::to_string(page.part.height) + " /BitsPerComponent " +
-                                std::to_string(sample_bits(form)) + " /ColorSpace " + colour_space +
-                                " /Interpolate false";
+                                std::to_string(two_tone ? 1 : sample_bits(form)) + " /ColorSpace " +
+                                colour_space + " /Interpolate false";
     return pdf.add_stream(entries, [&](const PdfFile::TakeBytes& take) {
         draw_part(page, form, picture, [&](const Image& rows) {
-            const std::vector<unsigned char> bytes = samples_of(rows, channels);
+            const std::vector<unsigned char> bytes = two_tone ? bits_of(rows)
+                                                              : samples_of(rows, channels);
             take(bytes.data(), bytes.size());
         });
     });
@@ -156,8 +170,11 @@ Shared add_shared(PdfFile& pdf, int channels, const std::string& profile)
         shared.resources += " >>";
         return shared;
     }
-    const int colours = pdf.add_stream("/N 3 /Alternate /DeviceRGB", profile);
-    shared.colour_space = reference(pdf.add("[ /ICCBased " + reference(colours) + " ]"));
+    shared.colour_space = "/DeviceGray";
+    if (channels == 3) {
+        const int colours = pdf.add_stream("/N 3 /Alternate /DeviceRGB", profile);
+        shared.colour_space = reference(pdf.add("[ /ICCBased " + reference(colours) + " ]"));
+    }
     const int font = pdf.add("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica "
                              "/Encoding /WinAnsiEncoding >>");
     shared.resources = "/Font << /Plain " + reference(font) + " >>";
@@ -182,7 +199,7 @@ int add_page(PdfFile& pdf, const Page& page, int parent, const std::string& pict
 
 void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form,
                const PictureRows& picture, const std::string& profile, const std::string& title,
-               std::time_t created)
+               std::time_t created, bool two_tone)
 {
     PdfFile pdf(sink);
     const Shared shared = add_shared(pdf, form.channels, profile);
@@ -190,11 +207,12 @@ void write_pdf(ByteSink& sink, const std::vector<Page>& pages, const Image& form
     std::string kids;
     for (const Page& page : pages) {
         const Channels colours{0, std::min(form.channels, 4)}, white{4, 1};
-        std::string pictures = "/Picture " + reference(add_picture(pdf, page, form, picture,
-                                                                   colours, shared.colour_space));
+        std::string pictures = "/Picture " +
+                               reference(add_picture(pdf, page, form, picture, colours,
+                                                     shared.colour_space, two_tone));
         if (page.white == WhiteInk::picture)
-            pictures += " /White " +
-                        reference(add_picture(pdf, page, form, picture, white, shared.white));
+            pictures += " /White " + reference(add_picture(pdf, page, form, picture, white,
+                                                           shared.white, false));
         kids += reference(add_page(pdf, page, all_pages, pictures, shared)) + " ";
     }
     pdf.write(all_pages, "<< /Type /Pages /Kids [ " + kids + "] /Count " +
