@@ -164,7 +164,7 @@ Shared add_shared(PdfFile& pdf, int channels, const std::string& profile)
         if (channels > 4) {
             shared.white = add_separation(pdf, "White", "0.2 0 0 0"); // visible on a screen
             shared.resources += " /White " + shared.white +
-                                " >> /ExtGState << /Over << /Type /ExtGState /OP true /op true "
+                                " >> /ExtGState << /Over << /Type /ExtGState /op true "
                                 "/OPM 0 >>";
         }
         shared.resources += " >>";

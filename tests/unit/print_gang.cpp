@@ -128,6 +128,19 @@ BOOST_AUTO_TEST_CASE(equal_frames_of_whole_pixels_have_no_error)
     BOOST_TEST(gang({m, m, m}, request).rows == 2);
     request.room = {1109, 494};
     BOOST_CHECK_THROW(gang({m, m, m}, request), std::invalid_argument);
+    // Of 2-D lenses the next is at 300 pixels down, too, after 200 and a gap of 95. At 90 degrees
+    // the lattice's rows run down.
+    for (const double slant : {0.0, 90.0, -90.0}) {
+        const FrameMetadata square = geometry({Arrangement::square, 1.27, 3, 1.5, slant, {0.2, 0}},
+                                              300, 200, 25.4 / 300);
+        const Gang rows = gang({square, square, square}, [] {
+            GangRequest two;
+            two.room = {800, 600};
+            return two;
+        }());
+        BOOST_TEST((rows.places[1].x == 405 && rows.places[1].y == 0));
+        BOOST_TEST((rows.places[2].x == 0 && rows.places[2].y == 300));
+    }
     request.room = {299, 1000};
     request.fill = true;
     BOOST_CHECK_THROW(gang({m}, request), std::invalid_argument);
@@ -201,6 +214,34 @@ BOOST_AUTO_TEST_CASE(each_frame_has_crop_marks_outside_all_frames)
         BOOST_TEST((laid.trimmed.x == laid.frames[0].picture.x + 24 &&
                     laid.trimmed.width == (gap > 4 ? 405 : 345) + 300 - 48));
     }
+}
+
+BOOST_AUTO_TEST_CASE(a_mark_is_whole_where_no_frame_is_beside)
+{
+    const double pixel = 25.4 / 300;
+    const FrameMetadata m = geometry({Arrangement::lenticular, 1.27, 3, 1.5, 0, {0, 0}}, 300, 200,
+                                     pixel);
+    GangRequest request;
+    request.room = {900, 1000};
+    const Gang g = gang({m, m, m}, request); // two above one
+    PageRequest page;
+    page.paper = Paper{105, 90};
+    page.crop_marks = true;
+    for (const PixelRectangle& place : g.places)
+        page.frames.push_back({place, 0});
+    const Page laid = lay_out(g.metadata, {pixel, pixel}, page)[0];
+    const auto length_right_of = [&](std::size_t frame) {
+        const PixelRectangle& r = laid.frames[frame].picture;
+        for (const PageLine& line : laid.lines)
+            if (std::fabs(line.from.x - (r.x + r.width) * pixel - 1.5) < 1e-9 &&
+                std::fabs(line.from.y - r.y * pixel) < 1e-9 && line.from.y == line.to.y)
+                return line.to.x - line.from.x;
+        return 0.0;
+    };
+    // 405 - 300 pixels of gap are 8.89 mm, of which half less 1.5 mm are a mark's.
+    BOOST_TEST(std::fabs(length_right_of(0) - 2.945) < 1e-9);
+    BOOST_TEST(std::fabs(length_right_of(1) - 5.5) < 1e-9);
+    BOOST_TEST(std::fabs(length_right_of(2) - 5.5) < 1e-9);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
