@@ -297,7 +297,7 @@ Image FramePrint::rows(int first, int count)
 
 std::vector<std::string> FramePrint::inks() const
 {
-    if (form_.channels == 3)
+    if (form_.channels <= 3)
         return {};
     std::vector<std::string> inks = {"Cyan", "Magenta", "Yellow", "Black", "White"};
     inks.resize(std::size_t(form_.channels));

@@ -60,7 +60,7 @@ public:
 
     int page_count() const { return int(pages_.size()); }
 
-    /// Names of the pages' inks; empty if the profile is RGB.
+    /// Names of the pages' inks; empty for R, G and B, and for grey.
     std::vector<std::string> inks() const;
 
     /// Writes the pages to one .pdf, or as pictures, with numbers if there are several, and with
