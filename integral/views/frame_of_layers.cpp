@@ -137,7 +137,7 @@ struct PlacedLayer {
     /// if the eye at a is behind the plane or does not look towards it.
     LayerPoint point(Vec2 sheet_point, Vec2 aperture_point) const
     {
-        const LayerPlane& plane = layer->plane;
+        const PicturePlane& plane = layer->plane;
         const double facing = 1 + dot(plane.slope, aperture_point),
                      q = facing > 0 ? std::min(1.0, plane.at(sheet_point) / facing) : 1;
         return {sheet_point - q * aperture_point, q};
@@ -162,19 +162,19 @@ struct PlacedLayer {
 
 } // namespace
 
-std::optional<LayerPlane> layer_plane(double z, Vec2 gradient, Vec2 middle, double distance)
+std::optional<PicturePlane> picture_plane(double z, Vec2 gradient, Vec2 middle, double distance)
 {
     // A plane z = z0 + g . P has the parallax (z0 + g . p)/(d + z0) at the place p = P d/(d + z).
     const double facing = 1 - dot(gradient, middle) / distance;
     if (!(facing > 1e-9))
         return std::nullopt;
-    LayerPlane plane;
+    PicturePlane plane;
     plane.slope = (1 / ((distance + z) * facing)) * gradient;
     plane.parallax = layer_parallax(z, distance) - dot(plane.slope, middle);
     return plane;
 }
 
-ParallaxRange parallax_range(const LayerPlane& plane, const LayerWindow& window)
+ParallaxRange parallax_range(const PicturePlane& plane, const LayerWindow& window)
 {
     const double middle = plane.at(window.middle),
                  half = 0.5 * (std::fabs(plane.slope.x) * window.size.x +
@@ -182,7 +182,7 @@ ParallaxRange parallax_range(const LayerPlane& plane, const LayerWindow& window)
     return {middle - half, middle + half};
 }
 
-DrawnLayer drawn_layer(const Image& picture, const LayerPlane& plane, const LayerWindow& window,
+DrawnLayer drawn_layer(const Image& picture, const PicturePlane& plane, const LayerWindow& window,
                        const FrameMetadata& geometry, int threads)
 {
     DrawnLayer layer{plane, window, parallax_range(plane, window), {}, {}};

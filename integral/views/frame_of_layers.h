@@ -34,7 +34,7 @@ inline double layer_depth(double parallax, double distance)
 
 /// A layer's plane. A point of it has a place: where the eye in the middle sees it on the sheet,
 /// mm. The parallax is an affine function of this place.
-struct LayerPlane {
+struct PicturePlane {
     double parallax = 0; ///< at the sheet's centre
     Vec2 slope;          ///< change of the parallax a mm to the right, and upwards
 
@@ -45,18 +45,18 @@ struct LayerPlane {
 /// The plane through the place `middle`, z mm behind the sheet there. `gradient`: slopes, mm that
 /// it goes back for each mm to the right, and upwards. Empty if the eye in the middle, at
 /// `distance`, is not in front of it.
-std::optional<LayerPlane> layer_plane(double z, Vec2 gradient, Vec2 middle, double distance);
+std::optional<PicturePlane> picture_plane(double z, Vec2 gradient, Vec2 middle, double distance);
 
 struct ParallaxRange {
     double least = 0, greatest = 0;
 };
 
 /// The range of the parallax of a plane in a window.
-ParallaxRange parallax_range(const LayerPlane& plane, const LayerWindow& window);
+ParallaxRange parallax_range(const PicturePlane& plane, const LayerWindow& window);
 
 /// A picture in its window on a plane.
 struct DrawnLayer {
-    LayerPlane plane;
+    PicturePlane plane;
     LayerWindow window;
     ParallaxRange range;
     /// The first is as fine as the plane can show it anywhere, each further one half as fine.
@@ -67,7 +67,7 @@ struct DrawnLayer {
 /// The picture reduced to the detail that a pixel of the frame shows of a layer in that window:
 /// pixels of a quarter of the beam's width there, or, of a tilted one, of an eighth to a quarter.
 /// `threads`: 0: one per core.
-DrawnLayer drawn_layer(const Image& picture, const LayerPlane& plane, const LayerWindow& window,
+DrawnLayer drawn_layer(const Image& picture, const PicturePlane& plane, const LayerWindow& window,
                        const FrameMetadata& geometry, int threads);
 
 /// Draws the frame. A film pixel (or each of its subpixels) gathers light over its own area and its

@@ -120,11 +120,11 @@ private:
 };
 
 /// Throws std::invalid_argument for a tilted layer that the viewer's distance cuts.
-LayerPlane plane_of(const PictureLayer& layer, const LayerWindow& window, double viewing)
+PicturePlane plane_of(const PictureLayer& layer, const LayerWindow& window, double viewing)
 {
     const auto gradient = [](double degrees) { return std::tan(radians_per_degree * degrees); };
-    const auto plane = layer_plane(layer.distance, {gradient(layer.turn), gradient(layer.tilt)},
-                                   window.middle, viewing);
+    const auto plane = picture_plane(layer.distance, {gradient(layer.turn), gradient(layer.tilt)},
+                                     window.middle, viewing);
     if (!plane || !(parallax_range(*plane, window).greatest < 1))
         throw std::invalid_argument(name_of(layer) +
                                     ": turned and tilted so far, its plane goes on to infinity or "
@@ -134,7 +134,8 @@ LayerPlane plane_of(const PictureLayer& layer, const LayerWindow& window, double
 }
 
 /// Adds the depths of a tilted layer to the figures of the last one.
-void set_range(const LayerPlane& plane, const LayerWindow& window, double viewing, LayersView& view)
+void set_range(const PicturePlane& plane, const LayerWindow& window, double viewing,
+               LayersView& view)
 {
     const ParallaxRange range = parallax_range(plane, window);
     LayerFigures& figures = view.layers.back();
@@ -167,7 +168,7 @@ Inputs read_layers(const LayersRequest& request, LayersView& view)
             all.form = form_of(image);
         const double shape = double(image.width) / image.height;
         const LayerWindow window = window_of(layer, shape, request);
-        const LayerPlane plane = plane_of(layer, window, viewing);
+        const PicturePlane plane = plane_of(layer, window, viewing);
         const double there = (viewing + layer.distance) / viewing,
                      parallax = layer_parallax(layer.distance, viewing);
         view.layers.push_back({name_of(layer),
