@@ -4,6 +4,7 @@
 #include "integral/base/json.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
+#include "integral/print/calibration_page.h"
 #include "integral/print/pitch_report.h"
 
 #include <algorithm>
@@ -15,48 +16,38 @@ namespace {
 constexpr int most_bars = 1000;
 constexpr double most_pixels = 5e8;
 constexpr char default_page[] = "152.4x101.6";    // 4x6 inches
+constexpr char default_calibration_page[] = "210x297";
 constexpr char default_page_2d[] = "203.2x152.4"; // 6x8 inches: two blocks of bars
 
-/// The nominal geometry. Its film has a size only if --size is given.
-FrameMetadata nominal_geometry(const PrintOptions& o)
+/// Sets the film's size in pixels from --page, or else `otherwise`, unless --size is given.
+void set_page(const std::optional<std::string>& page, const char* otherwise, Film& film)
+{
+    if (page && film.width > 0)
+        throw UsageError("--page and --size say the same; give one of them");
+    if (film.width == 0)
+        set_film_size("page", page.value_or(otherwise), film);
+    if (double(film.width) * film.height > most_pixels)
+        throw UsageError("the page has more than 500 million pixels; take a smaller one");
+}
+
+void set_page(const PrintOptions& o, const LensSheet& sheet, Film& film)
+{
+    set_page(o.page, sheet.arrangement == Arrangement::lenticular ? default_page : default_page_2d,
+             film);
+}
+
+/// The nominal geometry of a chart.
+FrameMetadata nominal_geometry_of(const PrintOptions& o)
 {
     if (!o.inputs.empty())
         throw UsageError("a pitch chart has no FRAME; --sheet FILE.json gives the nominal sheet");
-    const std::string start = o.start.value_or("");
-    FrameMetadata geometry = start.empty() ? default_geometry() : read_metadata(start);
-    geometry.film.width = geometry.film.height = 0;
-    geometry.film.bleed = 0; // charts and sheets have none
-    change_sheet(o.sheet, geometry.sheet);
-    change_film(o.film, geometry.film);
-    check_geometry(geometry);
-    return geometry;
-}
-
-/// Sets the film's size in pixels from --page, unless --size is given.
-void set_page(const PrintOptions& o, const LensSheet& sheet, Film& film)
-{
-    if (o.page && film.width > 0)
-        throw UsageError("--page and --size say the same; give one of them");
-    if (film.width == 0) {
-        const std::string text = o.page.value_or(
-            sheet.arrangement == Arrangement::lenticular ? default_page : default_page_2d);
-        set_film_size("page", text, film);
-    }
-    if (double(film.width) * film.height > most_pixels)
-        throw UsageError("the page has more than 500 million pixels; take a smaller one");
+    return nominal_geometry(o.start, o.sheet, o.film);
 }
 
 /// Number of bars in each direction.
 int bars_of(const PrintOptions& o, const LensSheet& sheet)
 {
     return o.bars ? in_range("bars", *o.bars, 2, most_bars) : default_bars(sheet);
-}
-
-double distance_of(const PrintOptions& o)
-{
-    return o.distance
-               ? parse_number_between("distance", *o.distance, "mm", 10, 1e6, "10 to 1000000 mm")
-               : default_chart_distance;
 }
 
 /// The scale of --pitch-range with --pitch-step or --bars.
@@ -91,8 +82,8 @@ PitchScale scale_of(const PrintOptions& o, const FrameMetadata& nominal)
     set_page(o, sheet, film);
     const int bars = bars_of(o, sheet);
     const double step = o.pitch_step ? parse_number("pitch-step", *o.pitch_step, "a number")
-                                     : default_step(sheet, film, distance_of(o));
-    const PitchScale scale = scale_about(sheet, distance_of(o), step, bars);
+                                     : default_step(sheet, film, chart_distance(o.distance));
+    const PitchScale scale = scale_about(sheet, chart_distance(o.distance), step, bars);
     if (!(scale.step > 0 && scale.first > 0))
         throw_usage("pitch-step", o.pitch_step.value_or(""), "a small part of the pitch");
     return scale;
@@ -136,7 +127,7 @@ std::vector<ChartReading> readings_of(const PrintOptions& o, const LensSheet& sh
 
 int read_chart(const PrintOptions& o)
 {
-    const FrameMetadata geometry = nominal_geometry(o);
+    const FrameMetadata geometry = nominal_geometry_of(o);
     const PitchScale scale = scale_of(o, geometry);
     const std::vector<ChartReading> readings = readings_of(o, geometry.sheet, scale);
     const MeasuredSheet found = usage_checked(
@@ -153,19 +144,51 @@ int read_chart(const PrintOptions& o)
 
 } // namespace
 
+FrameMetadata nominal_geometry(const std::optional<std::string>& start, const SheetOptions& sheet,
+                               const FilmOptions& film)
+{
+    FrameMetadata geometry = start.value_or("").empty() ? default_geometry()
+                                                        : read_metadata(*start);
+    geometry.film.width = geometry.film.height = 0;
+    geometry.film.bleed = 0; // charts and sheets have none
+    change_sheet(sheet, geometry.sheet);
+    change_film(film, geometry.film);
+    check_geometry(geometry);
+    return geometry;
+}
+
+void set_calibration_page(const std::optional<std::string>& page, Film& film)
+{
+    set_page(page, default_calibration_page, film);
+}
+
+double chart_distance(const std::optional<std::string>& distance)
+{
+    return distance ? parse_number_between("distance", *distance, "mm", 10, 1e6, "10 to 1000000 mm")
+                    : default_chart_distance;
+}
+
 ChartPage chart_of(const PrintOptions& o)
 {
-    FrameMetadata geometry = nominal_geometry(o);
+    FrameMetadata geometry = nominal_geometry_of(o);
+    if (o.calibration) {
+        throw_if_given(
+            {{"pitch-range", o.pitch_range}, {"pitch-step", o.pitch_step}, {"bars", o.bars}},
+            "is for --chart, not for --calibration");
+        set_calibration_page(o.page, geometry.film);
+        return calibration_page(geometry, chart_distance(o.distance));
+    }
     geometry.sheet.offset = {};
     const PitchScale scale = scale_of(o, geometry);
     set_page(o, geometry.sheet, geometry.film);
-    return chart_page(geometry, scale, distance_of(o));
+    return chart_page(geometry, scale, chart_distance(o.distance));
 }
 
 int make_chart(const PrintOptions& o)
 {
-    if (o.chart && o.even)
-        throw UsageError("--chart makes a chart and --even reads one; give one of them");
+    if (o.chart + o.calibration + o.even.has_value() > 1)
+        throw UsageError("--chart and --calibration make a page and --even reads a chart; give one "
+                         "of them");
     if (o.even)
         return read_chart(o);
     const std::string output = needed_output(o.output, "FILE");
@@ -173,7 +196,7 @@ int make_chart(const PrintOptions& o)
         format_for(output);
     check_writable(output);
     const ChartPage chart = chart_of(o);
-    write_chart(output, chart.frame);
+    write_chart(output, chart.frame, o.calibration ? "calibration page" : "pitch chart");
     if (output != "-")
         write_file("-", chart.reading + "\n");
     return exit_done;

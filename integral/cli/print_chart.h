@@ -8,12 +8,23 @@
 
 namespace integral {
 
-/// The chart of --chart. Throws UsageError, InputError.
+/// The nominal geometry of a chart. Its film has a size only if --size is given. `start`: the file
+/// of --sheet. Throws UsageError, InputError.
+FrameMetadata nominal_geometry(const std::optional<std::string>& start, const SheetOptions& sheet,
+                               const FilmOptions& film);
+
+/// Sets the size in pixels of a calibration page's film from --page, unless it has one.
+void set_calibration_page(const std::optional<std::string>& page, Film& film);
+
+/// The value of --distance, mm, or a chart's default. Throws UsageError.
+double chart_distance(const std::optional<std::string>& distance);
+
+/// The chart of --chart or the page of --calibration. Throws UsageError, InputError.
 ChartPage chart_of(const PrintOptions& o);
 
-/// Executes --chart or --even: writes the chart to -o's FILE and prints the command that reads it;
-/// or prints the sheet's figures from the readings, and writes the sheet's corrected geometry to
-/// -o's FILE. Returns an ExitStatus; throws as a Command's `run` does.
+/// Executes --chart, --calibration or --even: writes the chart to -o's FILE and prints the command
+/// that reads it; or prints the sheet's figures from the readings, and writes the sheet's corrected
+/// geometry to -o's FILE. Returns an ExitStatus; throws as a Command's `run` does.
 int make_chart(const PrintOptions& o);
 
 } // namespace integral

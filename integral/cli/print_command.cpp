@@ -128,7 +128,8 @@ int print_chart(const PrintOptions& o)
     const Frame chart = chart_of(o).frame;
     if (o.output)
         make_chart(o);
-    send(o, {chart.image}, chart.metadata->film.pixel_pitch, "pitch chart");
+    send(o, {chart.image}, chart.metadata->film.pixel_pitch,
+         o.calibration ? "calibration page" : "pitch chart");
     return exit_done;
 }
 
@@ -143,9 +144,9 @@ int run(const PrintOptions& o)
         throw_if_given(
             {{"copies", o.copies}, {"medium", o.medium}, {"printer-option", o.printer_options}},
             "is for --printer");
-    if (o.chart || o.even)
+    if (o.chart || o.calibration || o.even)
         return print_chart(o);
-    constexpr char for_charts[] = "is for --chart and --even";
+    constexpr char for_charts[] = "is for --chart, --calibration and --even";
     if (const char* option = first_given(o.sheet))
         throw_if_given({{option, true}}, for_charts);
     throw_if_given({{"pixel-pitch", o.film.pixel_pitch},
@@ -176,6 +177,8 @@ share one page and one lens sheet, which lies on the lenses of all.
 --chart makes a chart of pitches in fine steps, to be looked at through a lens sheet: its bar that
 is even tells the sheet's pitch as it is seen from there. --even works out from one such reading
 the sheet's mechanical pitch, and from readings at several distances its index as well.
+--calibration makes a page from whose photograph, under the sheet, integral rectify --calibration
+measures the sheet: pitch, turn, phase, thickness / index, leak and dot gain.
 )",
     0,
     500,

@@ -48,6 +48,9 @@ void declare_chart(options::options_description& chart, PrintOptions& o)
 {
     add(chart, "chart", o.chart,
         "make a pitch chart instead: bars of lines, one of which is even under the sheet");
+    add(chart, "calibration", o.calibration,
+        "make a calibration page instead: one photograph of it under the sheet measures pitch, "
+        "turn, phase, thickness / index and leak (integral rectify --calibration)");
     add(chart, "pitch-range", o.pitch_range, "A,B",
         "pitches of its first and last bar, mm on the film (default: about the sheet's, as seen "
         "from --distance)");
@@ -58,7 +61,8 @@ void declare_chart(options::options_description& chart, PrintOptions& o)
     add(chart, "bars", o.bars, "N",
         "how many in each direction (default 25; 15 where lenses are not lenticular)");
     add(chart, "page", o.page, "WxH",
-        "the chart's page, mm (default 152.4x101.6; 203.2x152.4 where lenses are not lenticular)");
+        "the chart's page, mm (default 152.4x101.6; 203.2x152.4 where lenses are not lenticular; "
+        "210x297 for --calibration)");
     add(chart, "even", o.even, "BARS@MM",
         "read a chart instead: which bars are even, from which distance, as 12,13@400; again for "
         "each distance. Prints the sheet's mechanical pitch and index; -o FILE.json writes the "

@@ -23,7 +23,7 @@ struct PrintOptions : CommonOptions {
     std::optional<int> copies;
     std::optional<Arguments> printer_options;
     // Charts:
-    bool chart = false, keep_index = false, json = false;
+    bool chart = false, calibration = false, keep_index = false, json = false;
     std::optional<Arguments> even;
     std::optional<std::string> pitch_range, pitch_step, page, distance;
     std::optional<int> bars;

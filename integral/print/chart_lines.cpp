@@ -8,19 +8,20 @@ namespace integral {
 
 namespace {
 
-/// Integral from 0 to u of a wave of period 1 (the lines' light minus its mean). The wave is 1/2
-/// within a quarter of a period of every whole number, and -1/2 elsewhere.
-double first_integral(double u)
+/// Integral from 0 to u of a wave of period 1 (the lines' light minus its mean). The wave is
+/// 1 - share within share/2 of every whole number, and -share elsewhere.
+double first_integral(double u, double share)
 {
-    u -= std::floor(u + 0.25);
-    return u <= 0.25 ? u / 2 : (0.5 - u) / 2;
+    u -= std::floor(u + 0.5 * share);
+    return u <= 0.5 * share ? (1 - share) * u : share * (0.5 - u);
 }
 
 /// Integral of first_integral.
-double second_integral(double u)
+double second_integral(double u, double share)
 {
-    u -= std::floor(u + 0.25);
-    return u <= 0.25 ? u * u / 4 : 1.0 / 32 - (u - 0.5) * (u - 0.5) / 4;
+    u -= std::floor(u + 0.5 * share);
+    return u <= 0.5 * share ? 0.5 * (1 - share) * u * u
+                            : share * ((1 - share) / 8 - (u - 0.5) * (u - 0.5) / 2);
 }
 
 } // namespace
@@ -58,18 +59,20 @@ double pixel_along(Vec2 wave, const Film& film)
     return std::max(std::fabs(wave.x) * film.pixel_pitch.x, std::fabs(wave.y) * film.pixel_pitch.y);
 }
 
-double line_coverage(double phase, double a, double b)
+double line_coverage(double phase, double a, double b, double share)
 {
+    const auto first = [&](double u) { return first_integral(u, share); };
+    const auto second = [&](double u) { return second_integral(u, share); };
     if (a < b)
         std::swap(a, b);
     double mean;
     if (b < 1e-7) // the second difference of nearly equal numbers would lose all digits
-        mean = (first_integral(phase + a) - first_integral(phase - a)) / (2 * a);
+        mean = (first(phase + a) - first(phase - a)) / (2 * a);
     else
-        mean = (second_integral(phase + a + b) - second_integral(phase + a - b) -
-                second_integral(phase - a + b) + second_integral(phase - a - b)) /
+        mean = (second(phase + a + b) - second(phase + a - b) - second(phase - a + b) +
+                second(phase - a - b)) /
                (4 * a * b);
-    return std::clamp(0.5 + mean, 0.0, 1.0);
+    return std::clamp(share + mean, 0.0, 1.0);
 }
 
 void draw_lines(const Film& film, const ChartLines& bar, Image& image)
@@ -82,8 +85,8 @@ void draw_lines(const Film& film, const ChartLines& bar, Image& image)
                                 (bar.upright ? x >= bar.width / 2 : y >= bar.height / 2);
             const Vec2 place = film_from_pixel(film, {bar.left + x + 0.5, bar.top + y + 0.5}) -
                                bar.origin;
-            const float light = float(
-                line_coverage(dot(bar.wave, place) / bar.period - (second ? 0.25 : 0), a, b));
+            const float light = float(line_coverage(
+                dot(bar.wave, place) / bar.period - (second ? 0.25 : 0), a, b, bar.light_share));
             store_linear(image, bar.left + x, bar.top + y, {light, light, light, 1});
         }
 }

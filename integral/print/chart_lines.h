@@ -20,14 +20,15 @@ struct ChartDirection {
 /// The directions in which a sheet's lenses repeat: one for lenticular sheets, two for 2-D sheets.
 std::vector<ChartDirection> chart_directions(const LensSheet& sheet);
 
-/// One bar: a rectangle of the page, in pixels, with light and dark lines of equal width. Light
-/// lines are `period` apart along `wave`. The middle of one light line passes through `origin`, mm
-/// in the sheet frame. With `halves`, the lines of the bar's second half (lower, or right if it is
-/// upright) pass through origin + wave period/4 instead.
+/// One bar: a rectangle of the page, in pixels, with light and dark lines, of equal width unless
+/// `light_share` says otherwise. Light lines are `period` apart along `wave`. The middle of one
+/// light line passes through `origin`, mm in the sheet frame. With `halves`, the lines of the bar's
+/// second half (lower, or right if it is upright) pass through origin + wave period/4 instead.
 struct ChartLines {
     double period; ///< mm
     Vec2 wave, origin;
     bool upright, halves = true;
+    double light_share = 0.5; ///< width of a light line in periods; 0 to 1
     int left, top, width, height;
 };
 
@@ -41,8 +42,9 @@ double pixel_along(Vec2 wave, const Film& film);
 
 /// The part of a pixel's area that light lines cover. `phase`: from the middle of a light line to
 /// the pixel's middle, in periods. Projected along the lines, the pixel's area is the convolution
-/// of two boxes; `a` and `b` are their half widths in periods, >= 0, at least one > 0.
-double line_coverage(double phase, double a, double b);
+/// of two boxes; `a` and `b` are their half widths in periods, >= 0, at least one > 0. `share`: of
+/// a light line in its period.
+double line_coverage(double phase, double a, double b, double share = 0.5);
 
 /// Draws a bar. The linear light of each pixel is exactly the part of its area that light lines
 /// cover, so that no pitch is rounded to pixels.

@@ -25,24 +25,12 @@ double rounded_step(double value)
     return power * (digits < 1.5 ? 1 : digits < 3.5 ? 2 : digits < 7.5 ? 5 : 10);
 }
 
-/// The option that gives a film's pixel pitch: --dpi, with two numbers if the directions differ.
-std::string film_option(const Film& film)
-{
-    const double dpi_x = mm_per_inch / film.pixel_pitch.x, dpi_y = mm_per_inch / film.pixel_pitch.y;
-    const std::string across = with_digits(dpi_x, 9), down = with_digits(dpi_y, 9);
-    return "--dpi " + across + (down == across ? "" : "," + down);
-}
-
 std::string reading_command(const PitchChart& chart)
 {
-    const LensSheet& sheet = chart.sheet;
     return "Read it by: integral print --even BAR,BAR@MM --pitch-range " +
            with_digits(chart.scale.first, 9) + "," +
            with_digits(film_pitch(chart.scale, chart.scale.bars), 9) + " --bars " +
-           std::to_string(chart.scale.bars) + " --arrangement " + name_of(sheet.arrangement) +
-           " --pitch " + with_digits(sheet.pitch, 9) + " --thickness " +
-           with_digits(sheet.thickness, 9) + " --ior " + with_digits(sheet.ior, 9) +
-           (sheet.slant != 0 ? " --slant " + with_digits(sheet.slant, 9) : "") + " " +
+           std::to_string(chart.scale.bars) + " " + sheet_options(chart.sheet) + " " +
            film_option(chart.film);
 }
 
@@ -59,6 +47,31 @@ Aperture aperture_for(const LensSheet& sheet, double distance)
 }
 
 } // namespace
+
+std::string sheet_options(const LensSheet& sheet)
+{
+    return std::string("--arrangement ") + name_of(sheet.arrangement) + " --pitch " +
+           with_digits(sheet.pitch, 9) + " --thickness " + with_digits(sheet.thickness, 9) +
+           " --ior " + with_digits(sheet.ior, 9) +
+           (sheet.slant != 0 ? " --slant " + with_digits(sheet.slant, 9) : "");
+}
+
+std::string film_option(const Film& film)
+{
+    const double dpi_x = mm_per_inch / film.pixel_pitch.x, dpi_y = mm_per_inch / film.pixel_pitch.y;
+    const std::string across = with_digits(dpi_x, 9), down = with_digits(dpi_y, 9);
+    return "--dpi " + across + (down == across ? "" : "," + down);
+}
+
+FrameMetadata chart_geometry(FrameMetadata geometry, double distance)
+{
+    geometry.sheet.offset = {};
+    geometry.aperture = aperture_for(geometry.sheet, distance);
+    geometry.placement.reset();
+    geometry.render.reset();
+    geometry.encoding = {};
+    return geometry;
+}
 
 int default_bars(const LensSheet& sheet)
 {
@@ -86,11 +99,7 @@ PitchScale scale_about(const LensSheet& sheet, double distance, double step, int
 
 ChartPage chart_page(FrameMetadata geometry, const PitchScale& scale, double distance)
 {
-    geometry.sheet.offset = {};
-    geometry.aperture = aperture_for(geometry.sheet, distance);
-    geometry.placement.reset();
-    geometry.render.reset();
-    geometry.encoding = {};
+    geometry = chart_geometry(std::move(geometry), distance);
     PitchChart chart;
     chart.sheet = geometry.sheet;
     chart.film = geometry.film;
@@ -101,7 +110,7 @@ ChartPage chart_page(FrameMetadata geometry, const PitchScale& scale, double dis
     return made;
 }
 
-void write_chart(const std::string& path, const Frame& chart)
+void write_chart(const std::string& path, const Frame& chart, const std::string& title)
 {
     if (extension_of(path) != "pdf") {
         write_frame(path, chart);
@@ -112,7 +121,7 @@ void write_chart(const std::string& path, const Frame& chart)
     const Vec2 pixel_pitch = chart.metadata->film.pixel_pitch;
     OutputFile file(path);
     write_pdf(file, lay_out(*chart.metadata, pixel_pitch, whole), form_of(chart.image),
-              rows_in(chart.image), srgb_profile(), "pitch chart");
+              rows_in(chart.image), srgb_profile(), title);
     file.finish();
 }
 

@@ -33,13 +33,21 @@ struct ChartPage {
     std::string reading; ///< "Read it by: COMMAND", the page's last line
 };
 
+/// The geometry of a chart of a sheet: its aperture is for `distance` mm, and its sheet has no
+/// offset.
+FrameMetadata chart_geometry(FrameMetadata geometry, double distance);
+
+/// The options that give a sheet, without its offset; and those of a film's pixel pitch.
+std::string sheet_options(const LensSheet& sheet);
+std::string film_option(const Film& film);
+
 /// Draws the chart of a geometry's sheet on a page of its film. In the chart's geometry, the
 /// aperture is for `distance`, and the sheet has no offset. Throws as pitch_chart does.
 ChartPage chart_page(FrameMetadata geometry, const PitchScale& scale, double distance);
 
-/// Writes a chart to a .pdf, on a page of its own size, or as a picture by write_frame.
-/// Throws OutputError.
-void write_chart(const std::string& path, const Frame& chart);
+/// Writes a chart to a .pdf, on a page of its own size and with this title, or as a picture by
+/// write_frame. Throws OutputError.
+void write_chart(const std::string& path, const Frame& chart, const std::string& title);
 
 /// The geometry with the measured pitch and index, for a sheet's file, which works with frames of
 /// any size.

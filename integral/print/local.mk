@@ -3,6 +3,10 @@
 
 build_lib_libintegral_a_SOURCES += \
   integral/print/cairo_handles.h \
+  integral/print/calibration_layout.cpp \
+  integral/print/calibration_layout.h \
+  integral/print/calibration_page.cpp \
+  integral/print/calibration_page.h \
   integral/print/chart_lines.cpp \
   integral/print/chart_lines.h \
   integral/print/chart_page.cpp \
