@@ -39,6 +39,8 @@ build_bin_integral_SOURCES += \
   integral/cli/print_options.h \
   integral/cli/progress.cpp \
   integral/cli/progress.h \
+  integral/cli/rectify_calibration.cpp \
+  integral/cli/rectify_calibration.h \
   integral/cli/rectify_command.cpp \
   integral/cli/replay_command.cpp \
   integral/cli/replay_options.cpp \

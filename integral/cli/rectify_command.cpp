@@ -8,6 +8,7 @@
 #include "integral/cli/command.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
+#include "integral/cli/rectify_calibration.h"
 #include "integral/cli/thread_options.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
@@ -25,7 +26,8 @@ struct RectifyOptions : CommonOptions {
     std::optional<std::string> output;
     std::optional<std::string> start; ///< --sheet: file with the geometry
     std::optional<std::string> scan_dpi, turn, middle, flat, balance, white;
-    bool even_light = false, vignetting = false, json = false;
+    std::optional<std::string> page;
+    bool even_light = false, vignetting = false, json = false, calibration = false;
     ThreadOptions threads;
     SheetOptions sheet;
     FilmOptions film;
@@ -58,6 +60,11 @@ void declare(options::options_description& all, RectifyOptions& o)
         "colours and exposure by a patch of the scan that becomes white: pixels from the top left");
     add(all, "vignetting", o.vignetting,
         "divide by the average micro-image, which is darker towards the lenses' borders");
+    add(all, "calibration", o.calibration,
+        "measure a lens sheet instead: SCAN is a photograph of the page of integral print "
+        "--calibration under the sheet. -o FILE.json becomes the sheet as measured. Give the "
+        "options that the page was made with");
+    add(all, "page", o.page, "WxH", "with --calibration: the page, mm (default 210x297)");
     add(all, "json", o.json, "print the figures as JSON");
     declare(all, o.threads);
     declare(all, o.sheet);
@@ -159,8 +166,27 @@ void check_options(const RectifyOptions& o)
     o.threads.count(); // throws before the scan is read
 }
 
+int run_calibration(const RectifyOptions& o)
+{
+    throw_if_given({{"scan-dpi", o.scan_dpi},
+                    {"turn", o.turn},
+                    {"middle", o.middle},
+                    {"flat", o.flat},
+                    {"even-light", o.even_light},
+                    {"balance", o.balance},
+                    {"white", o.white},
+                    {"vignetting", o.vignetting},
+                    {"aperture", o.aperture.aperture}},
+                   "does not work with --calibration");
+    return read_calibration({o.inputs[0], o.output, o.start, o.page, o.aperture.distance, o.sheet,
+                             o.film, o.json, o.threads.count()});
+}
+
 int run(const RectifyOptions& o)
 {
+    if (o.calibration)
+        return run_calibration(o);
+    throw_if_given({{"page", o.page}}, "is for --calibration");
     check_options(o);
     FrameMetadata geometry = read_geometry(o);
     const Scan scan = read_scan(o.inputs[0]);
@@ -199,13 +225,20 @@ int run(const RectifyOptions& o)
 const Command rectify_command = {
     "rectify",
     "a scan of a print, or of an integral photograph, as a frame",
-    "SCAN -o FRAME [--sheet FILE.json | --pitch MM ...] [--middle X,Y] [--white X,Y,W,H] ...",
+    "SCAN -o FRAME [--sheet FILE.json | --pitch MM ...] [--middle X,Y] ... | --calibration PHOTO "
+    "-o SHEET.json ...",
     R"(Finds the lattice of the micro-images in a scan: how far it is turned, the lenses' pitch in
 the scan's pixels and where they are, to a few hundredths of a pixel, and says how sure that
 is. The scan's resolution and turn need only be known roughly, the sheet well: its lattice is
 the ruler. Then resamples the scan once, in linear light, to the film's own pixels. What the
 scan does not hold stays black. Scan without the lens sheet on the print, at twice the
 print's resolution or more; the light is changed only as asked for.
+
+--calibration measures a lens sheet by one photograph of a page (integral print --calibration)
+that lies under it: pitch, turn, phase, thickness / index, leak and dot gain, each with its
+standard deviation. The squares around the sheet give the camera. What a photograph tells poorly
+is held by the nominal figures: thickness within 2%, the effect of the index and of the lenses'
+surface within 1% and half of what a spherical surface does.
 )",
     1,
     1,
