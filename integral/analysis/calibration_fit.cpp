@@ -9,7 +9,7 @@
 namespace integral {
 namespace {
 
-constexpr std::size_t priors = 9;
+constexpr std::size_t priors = 11;
 constexpr double stretch_error = 0.001; // of a printer's two directions, relative
 
 struct Data {

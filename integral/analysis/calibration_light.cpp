@@ -13,33 +13,35 @@ SheetCover::SheetCover(const std::vector<BandBlock>& blocks, const CalibrationLa
                        const SheetView& view)
     : view_(view), upright_(layout.bands.front().upright), groups_(layout.groups)
 {
-    constexpr double least_share = 0.4, most_residual = 0.4;
+    constexpr double least_share = 0.4, most_residual = 0.4, most_residuals = 2; // of the median's
     std::vector<MeasuredBlock> all;
-    std::vector<double> contrasts;
+    std::vector<double> contrasts, residuals;
     for (const BandBlock& block : blocks)
         if (block.kind == BandKind::beat)
             if (const auto phase = phase_of(block, layout, view)) {
                 all.push_back({&block, *phase});
                 contrasts.push_back(phase->amplitude / std::max(1e-9, phase->mean));
+                residuals.push_back(phase->residual / std::max(1e-9, phase->amplitude));
             }
     if (all.empty())
         return;
     const std::size_t ninth = contrasts.size() * 9 / 10;
     std::nth_element(contrasts.begin(), contrasts.begin() + ninth, contrasts.end());
     const double least = least_share * contrasts[ninth];
+    std::nth_element(residuals.begin(), residuals.begin() + residuals.size() / 2, residuals.end());
+    const double most = std::min(most_residual, most_residuals * residuals[residuals.size() / 2]);
     std::map<int, std::vector<MeasuredBlock>> groups;
     for (const MeasuredBlock& one : all) {
         const BlockPhase& phase = one.second;
-        if (phase.amplitude > least * phase.mean &&
-            phase.residual < most_residual * phase.amplitude)
+        if (phase.amplitude > least * phase.mean && phase.residual < most * phase.amplitude)
             groups[one.first->group].push_back(one);
     }
-    // The outermost blocks of a group may lie across the sheet's edge.
+    // The outermost blocks of a group may lie across the sheet's edge; their middles do not.
     for (const auto& [group, found] : groups)
         if (found.size() > 2) {
             blocks_.insert(blocks_.end(), found.begin() + 1, found.end() - 1);
-            const double a = along(found[1].first->photo),
-                         b = along(found[found.size() - 2].first->photo);
+            const double a = along(found.front().first->photo),
+                         b = along(found.back().first->photo);
             ends_[group] = {std::min(a, b), std::max(a, b)};
         }
 }

@@ -102,7 +102,7 @@ std::optional<Vec2> corner_near(const Plane& photo, Vec2 start, double reach)
 
 std::vector<double> camera_steps()
 {
-    return {1e-5, 1e-5, 1e-5, 1e-2, 1e-2, 1e-2, 1e-5, 1e-5, 1e-5, 1e-4, 1e-4};
+    return {1e-5, 1e-5, 1e-5, 1e-2, 1e-2, 1e-2, 1e-5, 1e-5, 1e-5, 1e-4, 1e-4, 1e-5, 1e-5};
 }
 
 PhotoCamera changed(const PhotoCamera& camera, const double* parameters, double width)
@@ -114,15 +114,21 @@ PhotoCamera changed(const PhotoCamera& camera, const double* parameters, double 
     there.middle = there.middle + width * Vec2{p[7], p[8]};
     there.k1 += p[9];
     there.k2 += p[10];
+    there.tangential = there.tangential + Vec2{p[11], p[12]};
     return there;
 }
 
-std::array<double, 5> unusual(const PhotoCamera& camera, Vec2 size)
+std::array<double, 7> unusual(const PhotoCamera& camera, Vec2 size)
 {
     const double width = std::max(size.x, size.y);
     const Vec2 off = (1 / (0.005 * width)) * (camera.middle - 0.5 * size);
-    return {std::log(camera.focal / (0.72 * width)) / 0.4, off.x, off.y, camera.k1 / 0.05,
-            camera.k2 / 0.1};
+    return {std::log(camera.focal / (0.72 * width)) / 0.4,
+            off.x,
+            off.y,
+            camera.k1 / 0.05,
+            camera.k2 / 0.1,
+            camera.tangential.x / 0.0005,
+            camera.tangential.y / 0.0005};
 }
 
 PageView find_page(const Plane& photo, const std::array<Vec2, 4>& targets,

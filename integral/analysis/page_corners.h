@@ -22,18 +22,18 @@ struct PageCorner {
 std::optional<Vec2> corner_near(const Plane& photo, Vec2 start, double reach);
 
 /// What stands for the camera in a fit.
-constexpr std::size_t camera_parameters = 11;
+constexpr std::size_t camera_parameters = 13;
 
 /// Steps of the camera's parameters for derivatives.
 std::vector<double> camera_steps();
 
 /// The camera after a change by these parameters: rotation (3, radians), place (3, mm), logarithm
-/// of the focal length, principal point (2, photo widths), k1 and k2.
+/// of the focal length, principal point (2, photo widths), k1, k2 and tangential distortion (2).
 PhotoCamera changed(const PhotoCamera& camera, const double* parameters, double width);
 
 /// Differences from the usual phone's camera, in standard deviations: focal length, principal point
-/// (2), k1 and k2. `size`: of the photo, pixels.
-std::array<double, 5> unusual(const PhotoCamera& camera, Vec2 size);
+/// (2), k1, k2 and tangential distortion (2). `size`: of the photo, pixels.
+std::array<double, 7> unusual(const PhotoCamera& camera, Vec2 size);
 
 struct PageView {
     PhotoCamera camera;

@@ -55,15 +55,22 @@ PhotoCamera camera_of(const std::array<double, 9>& h, double focal, Vec2 middle)
     return camera;
 }
 
+/// How many times farther from the principal point a point appears, but for r^2 t.
+double swell(const PhotoCamera& camera, Vec2 at)
+{
+    const double r2 = dot(at, at);
+    return 1 + r2 * (camera.k1 + camera.k2 * r2) + 2 * dot(camera.tangential, at);
+}
+
 } // namespace
 
 Vec2 photo_from_page(const PhotoCamera& camera, Vec3 point)
 {
     const Vec3 from = point - camera.place;
-    const double depth = dot(camera.forward, from), x = dot(camera.right, from) / depth,
-                 y = dot(camera.down, from) / depth, r2 = x * x + y * y,
-                 swell = camera.focal * (1 + r2 * (camera.k1 + camera.k2 * r2));
-    return {camera.middle.x + swell * x, camera.middle.y + swell * y};
+    const double depth = dot(camera.forward, from);
+    const Vec2 at{dot(camera.right, from) / depth, dot(camera.down, from) / depth};
+    return camera.middle +
+           camera.focal * (swell(camera, at) * at + dot(at, at) * camera.tangential);
 }
 
 Vec3 direction_from_photo(const PhotoCamera& camera, Vec2 pixel)
@@ -71,8 +78,7 @@ Vec3 direction_from_photo(const PhotoCamera& camera, Vec2 pixel)
     const Vec2 seen = (1 / camera.focal) * (pixel - camera.middle);
     Vec2 at = seen;
     for (int k = 0; k < 20; ++k) {
-        const double r2 = dot(at, at);
-        const Vec2 next = (1 / (1 + r2 * (camera.k1 + camera.k2 * r2))) * seen;
+        const Vec2 next = (1 / swell(camera, at)) * (seen - dot(at, at) * camera.tangential);
         const double moved = length(next - at);
         at = next;
         if (moved < 1e-12)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// The camera that photographed a flat page: a pinhole with radial distortion.
+// The camera that photographed a flat page: a pinhole with distortion.
 //
 // Page frame: mm; x and y as in the sheet frame; z is the height above the print, towards the
 // camera. Photo pixels are continuous: the origin is the top left corner of the top left pixel, and
@@ -19,8 +19,11 @@ struct PhotoCamera {
     Vec3 place;                ///< of the pinhole, page frame
     double focal = 1;          ///< pixels
     Vec2 middle;               ///< principal point, pixels
-    /// A point r focal lengths from the principal point appears at r (1 + k1 r^2 + k2 r^4).
+    /// A point r = (x, y) focal lengths from the principal point appears at
+    /// r (1 + k1 r^2 + k2 r^4) + r^2 t + 2 (t r) r: radial distortion, and tangential distortion of
+    /// lenses that are not quite centred.
     double k1 = 0, k2 = 0;
+    Vec2 tangential; ///< t
 };
 
 /// Where a point appears in the photo. The point must be in front of the camera.

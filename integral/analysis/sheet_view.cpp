@@ -55,7 +55,7 @@ struct TracedFilm {
 
 std::optional<TracedFilm> trace(const SheetSurface& surface, double pitch, Vec2 slope)
 {
-    constexpr int points = 128;
+    constexpr int points = 2000; // one more or less behind a lens counts as a whole pitch
     std::complex<double> beat;
     TracedFilm traced{0, 0, 0};
     for (int k = 0; k < points; ++k) {
