@@ -156,3 +156,9 @@ live-against-exact: all build/bench/live_view
 	$(srcdir)/bench/live_against_exact
 endif
 .PHONY: live-against-exact
+
+# What integral rectify --calibration measures in a hundred simulated photographs
+# (doc/commands/rectify.md). Takes some 20 minutes. Needs Python with numpy and PIL.
+.PHONY: calibration-table
+calibration-table: all
+	$(srcdir)/bench/calibration $(abs_builddir)/build/bench/calibration

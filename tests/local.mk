@@ -58,6 +58,7 @@ build_threads_unit_DEPENDENCIES = $(build_tests_unit_OBJECTS) build/threads/libi
 
 # One line per file.
 unit_sources = \
+  tests/unit/analysis_calibration.cpp \
   tests/unit/analysis_lattice.cpp \
   tests/unit/analysis_scan.cpp \
   tests/unit/base_eight_floats.cpp \
