@@ -183,7 +183,8 @@ void find_lattice(const std::vector<BandBlock>& blocks, const CalibrationLayout&
     if (points.empty() || !(std::abs(best) > 0.3 * std::sqrt(power * double(points.size()) / 2)))
         throw std::invalid_argument(
             "the bands show no lens sheet of this pitch; lay the sheet on the bands, with its "
-            "lenses as the page's heading says, and give the options that the page was made with");
+            "lenses in the direction of the page's lines, and give the options that the page was "
+            "made with");
     const Vec2 along{-across.y, across.x};
     const Vec2 lattice = (1 / view.pitch + change.x) * across + change.y * along; // cycles per mm
     const double offset = view.phase / view.pitch + std::arg(best) / two_pi;

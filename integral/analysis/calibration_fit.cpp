@@ -156,8 +156,7 @@ SquareMatrix covariance_of(const Data& data, const LeastSquaresFit& fit,
             for (std::size_t i = 0; i < n; ++i)
                 slope[i] += weights[k] * fit.derivative(k, i) * fit.residuals[k];
         }
-        // Parts that the fit itself has drawn towards each other: as many as it has parameters that
-        // differ from part to part, about.
+        // The fit has adapted itself to its parts: about so many degrees of freedom are lost.
         const double fitted = kind == 0 ? 9 : 2,
                      correction = double(groups.size()) /
                                   std::max(1.0, double(groups.size()) - fitted);

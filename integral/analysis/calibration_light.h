@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What of a calibration page lies under the sheet, and the light of its bands: leak, contrast and
+// Finds the part of a calibration page that lies under the sheet, and measures leak, contrast and
 // dot gain.
 #ifndef INTEGRAL_ANALYSIS_CALIBRATION_LIGHT_H
 #define INTEGRAL_ANALYSIS_CALIBRATION_LIGHT_H

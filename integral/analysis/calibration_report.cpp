@@ -22,7 +22,7 @@ std::string text_of(Estimate estimate, int decimals, double unit = 1)
            with_decimals(unit * estimate.deviation, decimals);
 }
 
-/// Whether the photo tells more of t/n than the nominal figures do.
+/// Whether the photo determines t/n better than the nominal figures do.
 bool bend_is_measured(const SheetCalibration& found)
 {
     return found.thickness_over_index.deviation <

@@ -135,7 +135,8 @@ PageView find_page(const Plane& photo, const std::array<Vec2, 4>& targets,
                    const std::vector<Vec2>& corners)
 {
     constexpr int rounds = 5;
-    constexpr std::size_t least = 6; // corners
+    constexpr std::size_t least = 6;                      // corners
+    constexpr double least_reach = 1.5, most_reach = 200; // pixels
     const Vec2 size{double(photo.width), double(photo.height)};
     const double side = length(corners.at(1) - corners.at(0));
     PageView view;
@@ -151,7 +152,10 @@ PageView find_page(const Plane& photo, const std::array<Vec2, 4>& targets,
             if (near > farthest * round / (rounds - 1))
                 continue;
             const Vec2 start = photo_from_page(view.camera, {page.x, page.y, 0});
-            if (const auto at = corner_near(photo, start, 0.8 * reach_of(view.camera, page, side)))
+            const double reach = 0.8 * reach_of(view.camera, page, side);
+            if (!(is_inside(photo, start) && reach > least_reach && reach < most_reach))
+                continue;
+            if (const auto at = corner_near(photo, start, reach))
                 view.corners.push_back({page, *at});
         }
         if (view.corners.size() < least)

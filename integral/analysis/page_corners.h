@@ -21,7 +21,7 @@ struct PageCorner {
 /// the point from which all edges within `reach` pixels radiate. Nothing if there is none.
 std::optional<Vec2> corner_near(const Plane& photo, Vec2 start, double reach);
 
-/// What stands for the camera in a fit.
+/// Number of the camera's parameters in a fit.
 constexpr std::size_t camera_parameters = 13;
 
 /// Steps of the camera's parameters for derivatives.
@@ -40,7 +40,7 @@ struct PageView {
     std::vector<PageCorner> corners;
 };
 
-/// Finds the corners, beginning beside the targets, and refines the camera as it goes on. `targets`
+/// Finds the corners, beginning near the targets, and refines the camera as it goes on. `targets`
 /// and `corners`: places on the page, mm. Corners that do not lie where the camera sees the others
 /// are left out. Throws std::invalid_argument, with advice, if less than half remain.
 PageView find_page(const Plane& photo, const std::array<Vec2, 4>& targets,

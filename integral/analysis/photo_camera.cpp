@@ -55,7 +55,7 @@ PhotoCamera camera_of(const std::array<double, 9>& h, double focal, Vec2 middle)
     return camera;
 }
 
-/// How many times farther from the principal point a point appears, but for r^2 t.
+/// Factor by which distortion moves a point away from the principal point, without r^2 t.
 double swell(const PhotoCamera& camera, Vec2 at)
 {
     const double r2 = dot(at, at);

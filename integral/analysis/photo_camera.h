@@ -26,7 +26,7 @@ struct PhotoCamera {
     Vec2 tangential; ///< t
 };
 
-/// Where a point appears in the photo. The point must be in front of the camera.
+/// The photo point that shows a page point. The point must be in front of the camera.
 Vec2 photo_from_page(const PhotoCamera& camera, Vec3 point);
 
 /// Unit vector, in the page frame, from the camera through a photo point.

@@ -53,7 +53,7 @@ double turn_from(double angle, double nominal)
 SheetCalibration calibrate_sheet(const Plane& photo, const CalibrationPage& page, int threads)
 {
     constexpr int rounds = 4;
-    constexpr std::size_t least_blocks = 10;
+    constexpr std::size_t least_blocks = 8;
     const LensSheet& sheet = page.sheet;
     const CalibrationLayout layout = calibration_layout(page);
     std::array<Vec2, 4> targets;

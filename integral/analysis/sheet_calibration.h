@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Measures a lens sheet from one photograph of a calibration page that lies under it.
 //
-// The squares beside the sheet give the camera; the beat bands give the phase of the lenses against
+// The squares around the sheet give the camera; the beat bands give the phase of the lenses against
 // the print at each place, and so pitch, turn and phase as the camera sees them; the coarse bands'
 // displacement gives how much film the lenses show per angle, t/n. All are fitted together. What a
 // photograph determines poorly is held by the nominal figures, with these standard deviations:

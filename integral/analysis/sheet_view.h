@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Which film point a photo point shows through a lenticular sheet that lies on a calibration page.
+// Maps a photograph to the film that it shows through a lenticular sheet on a calibration page.
 //
 // All lengths are those of the print: a page that the printer stretches by 0.1% makes all of them
 // smaller by 0.1%.
@@ -17,7 +17,7 @@ namespace integral {
 /// of 1, u^2, v^2, u^4, u^2 v^2 and v^4.
 using SlopePolynomial = std::array<double, 6>;
 
-/// What a lens's whole surface does to the film that it shows, beyond what its pole alone does.
+/// Effect of a lens's whole surface on the film that it shows, relative to its pole alone.
 struct SurfaceEffect {
     /// Film displacement of the beat bands' phase across the lenses, divided by the pole's, less 1:
     /// mainly the coma of spherical surfaces, < 0.

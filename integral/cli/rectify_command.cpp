@@ -236,9 +236,9 @@ print's resolution or more; the light is changed only as asked for.
 
 --calibration measures a lens sheet by one photograph of a page (integral print --calibration)
 that lies under it: pitch, turn, phase, thickness / index, leak and dot gain, each with its
-standard deviation. The squares around the sheet give the camera. What a photograph tells poorly
-is held by the nominal figures: thickness within 2%, the effect of the index and of the lenses'
-surface within 1% and half of what a spherical surface does.
+standard deviation. The squares around the sheet give the camera. Where the photograph
+determines little, the nominal figures count: thickness within 2%, index within 0.7%, and half
+of what the curved surface of spherical lenses does.
 )",
     1,
     1,

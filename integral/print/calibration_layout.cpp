@@ -40,8 +40,8 @@ void add_strip(const Raster& raster, bool across, double middle, double length,
     const auto along = [&](int k) {
         return across ? raster.column(begin + k * side) : raster.row(begin + k * side);
     };
-    const auto beside = [&](double mm) { return across ? raster.row(mm) : raster.column(mm); };
-    const int low = beside(middle - side), centre = beside(middle), high = beside(middle + side);
+    const auto away = [&](double mm) { return across ? raster.row(mm) : raster.column(mm); };
+    const int low = away(middle - side), centre = away(middle), high = away(middle + side);
     for (int k = 0; k < count; ++k) {
         const int from = along(k), to = along(k + 1), a = k % 2 ? centre : low,
                   b = k % 2 ? high : centre;

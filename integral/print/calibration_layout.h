@@ -11,7 +11,7 @@
 //   the tilt makes fringes across the lenses, and their place gives the phase, whatever light and
 //   contrast are. The tilt changes its sign from group to group, so that no turn of the sheet can
 //   be mistaken for another.
-// - leak: the same with narrow lines: the light that an eye gets beside a line is what leaks.
+// - leak: the same with narrow lines: light that an eye gets from a neighbouring place has leaked.
 // - coarse: light and dark as far apart as several lenses, seen through the sheet as through a
 // plate
 //   of glass. Their displacement depends on thickness and index. The light changes as a sine, which

@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(a_curved_surface_changes_the_film_by_its_coma_and_depth)
                                   effect.beat[3] * at * at * at * at;
     BOOST_TEST(std::fabs(beat - (0.18535 / 0.19192 - 1)) < 0.001);
     BOOST_TEST(std::fabs(effect.coarse[0] - 0.1897) < 0.001);
-    // Of narrow lenses, the surface is their pole.
+    // The surface of narrow lenses is their pole.
     sheet.pitch = 0.02;
     const SurfaceEffect none = surface_effect(sheet);
     BOOST_TEST(std::fabs(none.beat[0]) < 2e-5);
