@@ -17,6 +17,7 @@
 #include "integral/sheet/sheet_list.h"
 #include "integral/sheet/sheet_plots.h"
 #include "integral/sheet/sheet_report.h"
+#include "integral/views/zone_view.h"
 
 namespace integral {
 namespace {
@@ -89,6 +90,15 @@ Viewer viewer_of(const SheetCommandOptions& o)
     return viewer;
 }
 
+/// Computes what the viewer sees of a flip behind this sheet.
+void set_ghost(const FrameMetadata& geometry, Viewer& viewer)
+{
+    if (!geometry.projection)
+        viewer.ghost = ghost_in_zone(geometry, lenses_lie_across(geometry.sheet)
+                                                   ? ZoneAxis::upwards
+                                                   : ZoneAxis::sideways);
+}
+
 void draw(const SheetCommandOptions& o, const FrameMetadata& geometry, const Viewer& viewer)
 {
     const std::string output = o.output.value_or("");
@@ -137,7 +147,7 @@ std::optional<SceneLooks> looks_of(const SheetCommandOptions& o, const FrameMeta
 int report_scene(const SheetCommandOptions& o)
 {
     refuse_geometry(o);
-    const Viewer viewer = viewer_of(o);
+    Viewer viewer = viewer_of(o);
     check_outputs({o.output, o.picture});
     if (o.picture)
         format_for(*o.picture);
@@ -148,6 +158,7 @@ int report_scene(const SheetCommandOptions& o)
                                               progress_bar("depths"));
     stop_if_interrupted();
     const DepthFrame& depths = scene.depths;
+    set_ghost(depths.metadata, viewer);
     std::optional<Image> picture;
     if (o.picture || page)
         picture = scene_picture(depths, scene.colours);
@@ -228,7 +239,8 @@ int run(const SheetCommandOptions& o)
                                       : sheet_list_text(geometry, own));
         return exit_done;
     }
-    const Viewer viewer = viewer_of(o);
+    Viewer viewer = viewer_of(o);
+    set_ghost(geometry, viewer);
     if (o.plot) {
         draw(o, geometry, viewer);
         return exit_done;

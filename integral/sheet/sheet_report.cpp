@@ -33,6 +33,14 @@ std::optional<double> times(double factor, std::optional<double> value)
     return value;
 }
 
+/// How many equal parts of a zone are wider than a ghost on either side.
+std::optional<double> alone(std::optional<double> ghost, std::optional<double> zone)
+{
+    if (!ghost || !zone)
+        return std::nullopt;
+    return std::max(0.0, std::ceil(*zone / (2 * *ghost)) - 1);
+}
+
 std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
 {
     const LensSheet& s = g.sheet;
@@ -92,6 +100,9 @@ std::vector<Figure> figures_of(const FrameMetadata& g, const Viewer& viewer)
          angle ? std::optional<double>(pixel_spread(*angle, d)) : none, "mm", "(4-5)"},
         {view, "pixels_seen", "pixels of a lens that an eye sees",
          pixels_seen(s, c.pixel, viewer.pupil, d), "", "(4-1)"},
+        {view, "ghost_mm", "a flip's ghost on either side of a change", viewer.ghost, "mm", ""},
+        {view, "pictures_seen_alone", "  pictures that are seen alone, at most",
+         alone(viewer.ghost, limited ? std::optional(c.aperture) : filling), "", ""},
         {view, "visual_pitch_mm", "pitch of the eye's images on the film",
          visual_pitch(c.period, s, d), "mm", ""},
         {view, "moire_pitch_mm", "moire pitch, lenses against pixels",

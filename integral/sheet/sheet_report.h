@@ -18,6 +18,8 @@ struct Viewer {
     std::vector<double> depths;       ///< rows of the table of resolution; each > 0
     std::optional<double> macro_lens; ///< focal length of macro-lenses before the sheet; 0 to 300
     double detail = 5; ///< distance between edges for the forecast of sampling errors; > 0
+    std::optional<double> ghost; ///< width of a flip's ghost at the viewer, on either side of a
+                                 ///< change (ghost_in_zone)
 };
 
 /// The geometry along the direction in which lenses and pixels are counted, mm: x; but y for a

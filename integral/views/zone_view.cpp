@@ -85,20 +85,6 @@ private:
     int threads_;
 };
 
-/// The distance from a border, mm in the zone, up to which the sheet mixes more than 3% of one
-/// picture into the other: 1.88 standard deviations of the place in the zone whose picture an eye
-/// sees, taken as normal. Pupil and blur spot are discs; pixels lie differently behind each lens.
-double blur_in_zone(const FrameMetadata& geometry, double zone, ZoneAxis axis)
-{
-    View view;
-    view.eye = centre_eye(geometry);
-    set_as_seen(view, geometry);
-    Vec2 cell = cell_extent(geometry.sheet), pixel = geometry.film.pixel_pitch;
-    const double scale = zone / along(cell, axis);
-    return 1.88 * std::hypot(view.blur * scale / 4, view.pupil / 4,
-                             along(pixel, axis) * scale / std::sqrt(12));
-}
-
 /// The greatest share of other pictures at eyes that should see one alone.
 double greatest_other(const std::vector<EyeShares>& eyes)
 {
@@ -111,6 +97,20 @@ double greatest_other(const std::vector<EyeShares>& eyes)
 
 } // namespace
 
+/// 1.88 standard deviations of the place in the zone whose picture an eye sees, taken as normal.
+/// Pupil and blur spot are discs; pixels lie differently behind each lens.
+double ghost_in_zone(const FrameMetadata& geometry, ZoneAxis axis)
+{
+    View view;
+    view.eye = centre_eye(geometry);
+    set_as_seen(view, geometry);
+    Vec2 cell = cell_extent(geometry.sheet), pixel = geometry.film.pixel_pitch,
+         zone = viewing_zone(geometry, geometry.aperture.distance);
+    const double scale = along(zone, axis) / along(cell, axis);
+    return 1.88 * std::hypot(view.blur * scale / 4, view.pupil / 4,
+                             along(pixel, axis) * scale / std::sqrt(12));
+}
+
 ZoneView zone_view(const FrameMetadata& geometry, const ZoneShares& shares,
                    const std::vector<int>& order, int count, ZoneAxis axis, double contrast,
                    int threads)
@@ -120,7 +120,7 @@ ZoneView zone_view(const FrameMetadata& geometry, const ZoneShares& shares,
     view.distance = geometry.aperture.distance;
     Vec2 zone = viewing_zone(geometry, view.distance);
     view.width = along(zone, axis);
-    view.blur = blur_in_zone(geometry, view.width, axis);
+    view.blur = ghost_in_zone(geometry, axis);
     const auto mm = [&](double part) { return (part - 0.5) * view.width; };
     for (int k = 0; k < shares.count(); ++k) {
         ShareView part;

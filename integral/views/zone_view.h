@@ -47,6 +47,11 @@ struct ZoneView {
     double other_with_ghosts = 0; ///< greatest_other without Deghosting
 };
 
+/// Width of a flip's ghost at the viewing distance: the distance from a change, mm in the zone, up
+/// to which the sheet mixes more than 3% of one picture into the other, by pupil, printed dots and
+/// the lenses' blur (set_as_seen).
+double ghost_in_zone(const FrameMetadata& geometry, ZoneAxis axis);
+
 /// Computes the figures by replay, with pupil, printed dots and the lenses' blur (set_as_seen), on
 /// a narrow strip of the sheet. `count`: the number of pictures; `order` as in FrameOfShares.
 /// `contrast`: of the frame's Deghosting; 0: none.
