@@ -95,7 +95,7 @@ struct LeakPoint {
 constexpr int leak_parts = 8, steps_of_pitch = int(1 / leak_line + 0.5);
 using Shares = std::array<double, 3>; ///< own, left, right
 
-/// The shares from a Fourier series through the points, without those of a part.
+/// The shares from a Fourier series through the points, without the points of one part.
 std::optional<Shares> shares_without(const std::vector<LeakPoint>& points, int part)
 {
     constexpr int orders = 6, terms = 2 * orders + 1;

@@ -36,7 +36,7 @@ Vec3 direction_from_photo(const PhotoCamera& camera, Vec2 pixel);
 PhotoCamera turned(PhotoCamera camera, Vec3 by);
 
 /// The camera without distortion that sees four points of the print at four photo points, whose
-/// picture has `size` pixels. Of the possible focal lengths it takes the one that fits best.
+/// picture has `size` pixels. Chooses the focal length that fits best.
 /// Corresponding points have the same index.
 PhotoCamera camera_from_four(const std::array<Vec2, 4>& page, const std::array<Vec2, 4>& photo,
                              Vec2 size);

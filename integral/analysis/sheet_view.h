@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Maps a photograph to the film that it shows through a lenticular sheet on a calibration page.
 //
-// All lengths are those of the print: a page that the printer stretches by 0.1% makes all of them
+// Lengths are measured in the print: a page that the printer stretches by 0.1% makes all of them
 // smaller by 0.1%.
 #ifndef INTEGRAL_ANALYSIS_SHEET_VIEW_H
 #define INTEGRAL_ANALYSIS_SHEET_VIEW_H

@@ -38,7 +38,7 @@ constexpr double leak_line = 1.0 / 6;
 
 enum class BandKind { beat, leak, coarse, tint };
 
-/// A band of lines (of a sine of light, if it is coarse), of which a light one passes through the
+/// A band of lines (a sine of light, if it is coarse); the middle of a light one passes through the
 /// page's middle. The rectangle of ChartLines is in the page's pixels.
 struct CalibrationBand : ChartLines {
     BandKind kind;

@@ -37,7 +37,7 @@ struct ChartPage {
 /// offset.
 FrameMetadata chart_geometry(FrameMetadata geometry, double distance);
 
-/// The options that give a sheet, without its offset; and those of a film's pixel pitch.
+/// The options that give a sheet, without its offset, and a film's pixel pitch.
 std::string sheet_options(const LensSheet& sheet);
 std::string film_option(const Film& film);
 
