@@ -3,6 +3,7 @@
 #include "integral/analysis/band_blocks.h"
 #include "integral/analysis/least_squares.h"
 #include "integral/base/constants.h"
+#include "integral/base/interrupt.h"
 
 #include <algorithm>
 #include <cmath>
@@ -161,6 +162,7 @@ void find_lattice(const std::vector<BandBlock>& blocks, const CalibrationLayout&
     std::complex<double> best;
     Vec2 change;
     for (int j = -most_y; j <= most_y; ++j) {
+        stop_if_interrupted();
         std::vector<std::complex<double>> sums(2 * most_x + 1);
         for (const Point& point : points) {
             std::complex<double> turned = point.light *

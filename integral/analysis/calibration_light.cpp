@@ -176,13 +176,18 @@ CalibrationLight calibration_light(const std::vector<BandBlock>& blocks,
     if (tints.size() < 5)
         return found;
     const double white = mean_of(tints[1]).value, black = mean_of(tints[0]).value;
-    found.coverage_known = true;
+    if (!(white - black > 0.05 * std::fabs(white)))
+        return found;
+    constexpr double tolerance = 0.06; // of the area, by which fine lines may look lighter
     for (int k = 0; k < 3; ++k) {
         std::vector<double> coverage;
         for (const double light : tints[0.75 - 0.25 * k])
             coverage.push_back((white - light) / (white - black));
         found.coverage[k] = mean_of(coverage);
+        if (found.coverage[k].value < 0.25 * (k + 1) - tolerance)
+            found.too_light = true;
     }
+    found.coverage_known = !found.too_light;
     std::vector<double> contrasts;
     for (const MeasuredBlock& one : cover.blocks())
         contrasts.push_back(one.second.amplitude / (white - black) * pi / 2);
@@ -196,6 +201,8 @@ CalibrationLight calibration_light(const std::vector<BandBlock>& blocks,
                               (cell.light - black) / (white - black), block.column % leak_parts});
     }
     measure_leak(points, found);
+    if (found.too_light && found.own.value >= 0.5)
+        found.leak_known = false;
     return found;
 }
 

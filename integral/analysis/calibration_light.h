@@ -49,6 +49,9 @@ struct CalibrationLight {
     bool leak_known = false;
     Estimate own, left, right;
     bool coverage_known = false;
+    /// Whether fine lines look lighter than they are printed, which ink never makes them: the photo
+    /// is over-exposed, or the sheet reflects light. Then nothing is known.
+    bool too_light = false;
     std::array<Estimate, 3> coverage; ///< apparent, of fine lines that cover 1/4, 1/2 and 3/4
 };
 

@@ -29,8 +29,7 @@ bool bend_is_measured(const SheetCalibration& found)
            0.7 * found.expected_thickness_over_index.deviation;
 }
 
-/// Light from both sides, and how much more comes from the left than from the right, as a share of
-/// it.
+/// Light from both sides.
 Estimate leak_of(const CalibrationLight& light)
 {
     return {light.left.value + light.right.value,
@@ -93,7 +92,7 @@ std::string calibration_text(const LensSheet& nominal, const SheetCalibration& f
                        text_of(found.thickness_over_index, 4) + " mm, index " +
                        with_decimals(sheet.ior, 3) + " at the nominal thickness; expected " +
                        text_of(found.expected_thickness_over_index, 4) +
-                       (bend_is_measured(found) ? "\n" : ", which this photo hardly improves\n");
+                       (bend_is_measured(found) ? "\n" : ", which counts as much as the photo\n");
     if (light.leak_known)
         text += "leak               " + text_of(leak_of(light), 1, 100) + "% from places " +
                 with_decimals(leak_line, 3) + " pitch to the left (" + text_of(light.left, 1, 100) +
@@ -107,6 +106,9 @@ std::string calibration_text(const LensSheet& nominal, const SheetCalibration& f
                 with_decimals(100 * light.coverage[0].value, 0) + ", " +
                 with_decimals(100 * light.coverage[1].value, 0) + ", " +
                 with_decimals(100 * light.coverage[2].value, 0) + "%\n";
+    if (light.too_light)
+        text += "leak, dot gain     unknown, since fine lines look lighter than they are printed; "
+                "photograph less exposed and without reflections\n";
     text += "photographed from  " + text_of(found.distance, 0) + " mm\n" + "fit                " +
             std::to_string(found.corners) + " of " + std::to_string(found.corners_of) +
             " squares' corners within " + with_decimals(found.corner_residual, 3) + " pixels, " +

@@ -45,6 +45,8 @@ PhotoCamera fitted(const PhotoCamera& start, std::vector<PageCorner>& corners, V
         };
         const auto fit = least_squares(problem, std::vector<double>(camera_parameters));
         camera = changed(camera, fit.parameters.data(), size.x);
+        if (corners.size() < 6)
+            break;
         std::vector<double> off;
         for (std::size_t k = 0; k < corners.size(); ++k)
             off.push_back(std::hypot(fit.residuals[2 * k], fit.residuals[2 * k + 1]));

@@ -48,6 +48,25 @@ double turn_from(double angle, double nominal)
     return turn - 180 * std::round(turn / 180);
 }
 
+/// Throws std::invalid_argument if the photo contradicts the page or the sheet that it is read as.
+void check_fit(const CalibrationFit& fit, const CalibrationLight& light)
+{
+    constexpr double max_corner_residual = 1;    // pixels; 0.1 to 0.3 where all is right
+    constexpr double max_phase_residual = 0.015; // periods; up to 0.005 where all is right
+    constexpr double max_coarse_residual = 0.03; // periods; up to 0.011 where all is right
+    constexpr double min_own = 0.5;              // share of light; 0.17 on a false lattice
+    if (!(fit.corner_residual < max_corner_residual))
+        throw std::invalid_argument("its squares are not where this page has them; give the "
+                                    "options that the page was made with, which its heading has");
+    if (!(fit.coarse_residual < max_coarse_residual && fit.phase_residual < max_phase_residual))
+        throw std::invalid_argument("its bands are not where this page has them; give the "
+                                    "options that the page was made with, which its heading has");
+    if (light.leak_known && light.own.value < min_own)
+        throw std::invalid_argument("its fine lines do not stand behind the lenses as this page's "
+                                    "do; turn the sheet along them to less than 5 degrees, and "
+                                    "give the page's own options");
+}
+
 } // namespace
 
 SheetCalibration calibrate_sheet(const Plane& photo, const CalibrationPage& page, int threads)
@@ -117,6 +136,7 @@ SheetCalibration calibrate_sheet(const Plane& photo, const CalibrationPage& page
     found.corner_residual = fit.corner_residual;
     found.phase_residual = fit.phase_residual;
     found.light = calibration_light(blocks, layout, view, cover);
+    check_fit(fit, found.light);
     return found;
 }
 

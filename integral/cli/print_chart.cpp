@@ -172,9 +172,11 @@ ChartPage chart_of(const PrintOptions& o)
 {
     FrameMetadata geometry = nominal_geometry_of(o);
     if (o.calibration) {
-        throw_if_given(
-            {{"pitch-range", o.pitch_range}, {"pitch-step", o.pitch_step}, {"bars", o.bars}},
-            "is for --chart, not for --calibration");
+        throw_if_given({{"pitch-range", o.pitch_range},
+                        {"pitch-step", o.pitch_step},
+                        {"bars", o.bars},
+                        {"offset", o.sheet.offset}},
+                       "is for --chart, not for --calibration");
         set_calibration_page(o.page, geometry.film);
         return calibration_page(geometry, chart_distance(o.distance));
     }

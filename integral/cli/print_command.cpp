@@ -12,15 +12,12 @@
 namespace integral {
 namespace {
 
-/// Prints pages and waits for them.
-void send(const PrintOptions& o, std::vector<Image> pages, Vec2 pixel_pitch,
-          const std::string& title)
+/// The line's job for the printer, without its pages.
+SpoolJob job_of(const PrintOptions& o, Vec2 pixel_pitch, const std::string& title)
 {
     SpoolJob job;
-    job.printer = o.printer.value_or("");
+    job.printer = *o.printer;
     job.title = title;
-    for (Image& page : pages)
-        job.pages.push_back(over_white(std::move(page), 8));
     job.dpi = {mm_per_inch / pixel_pitch.x, mm_per_inch / pixel_pitch.y};
     job.medium = o.medium.value_or("");
     if (o.copies)
@@ -31,6 +28,14 @@ void send(const PrintOptions& o, std::vector<Image> pages, Vec2 pixel_pitch,
             throw_usage("printer-option", option, "NAME=VALUE");
         job.options.emplace_back(option.substr(0, middle), option.substr(middle + 1));
     }
+    return job;
+}
+
+/// Prints pages and waits for them.
+void send(SpoolJob job, std::vector<Image> pages)
+{
+    for (Image& page : pages)
+        job.pages.push_back(over_white(std::move(page), 8));
     const std::string printer = job.printer;
     const auto number = spool(std::move(job), progress_bar("printing"));
     if (!number)
@@ -42,6 +47,7 @@ void send(const PrintOptions& o, std::vector<Image> pages, Vec2 pixel_pitch,
 PrintSettings settings_of(const PrintOptions& o, FrameReader& frame)
 {
     PrintSettings settings;
+    settings.halftone = halftone_of(o);
     settings.intent = intent_of(o);
     settings.bits = bits_given(o.bits, 0);
     frame.require_metadata();
@@ -52,7 +58,6 @@ PrintSettings settings_of(const PrintOptions& o, FrameReader& frame)
     if (o.strip)
         settings.page.strip = settings.title;
     settings.profile = o.icc;
-    settings.halftone = halftone_of(o);
     return settings;
 }
 
@@ -66,10 +71,13 @@ int deliver(const PrintOptions& o, FramePrint& print, const PrintSettings& setti
     if (output == "-" && print.page_count() > 1)
         throw UsageError("-o -: " + std::to_string(print.page_count()) +
                          " pages go to a .pdf or to files with numbers");
+    std::optional<SpoolJob> job; // its options are checked before anything is written
+    if (o.printer)
+        job = job_of(o, settings.pixel_pitch, settings.title);
     if (!output.empty())
         print.write(output, progress_bar("print"));
-    if (o.printer)
-        send(o, print.pictures(), settings.pixel_pitch, settings.title);
+    if (job)
+        send(std::move(*job), print.pictures());
     return exit_done;
 }
 
@@ -88,11 +96,9 @@ int print_frames(const PrintOptions& o)
         throw_if_given({{"gap", o.gap}}, "is for several frames on one page");
     Readers frames = open_frames(o);
     PrintSettings settings = settings_of(o, *frames[0]);
-    const FrameMetadata geometry = holds_several(o) ? arrange(o, frames, settings)
+    std::vector<FrameReader*> readers{frames[0].get()};
+    const FrameMetadata geometry = holds_several(o) ? arrange(o, frames, settings, readers)
                                                     : *frames[0]->frame().metadata;
-    std::vector<FrameReader*> readers;
-    for (const auto& frame : frames)
-        readers.push_back(frame.get());
     FramePrint print = usage_checked(o.inputs[0] + ": ",
                                      [&] { return FramePrint(readers, geometry, settings); });
     return deliver(o, print, settings);
@@ -126,10 +132,11 @@ int print_chart(const PrintOptions& o)
     if (!o.printer)
         return make_chart(o);
     const Frame chart = chart_of(o).frame;
+    SpoolJob job = job_of(o, chart.metadata->film.pixel_pitch,
+                          o.calibration ? "calibration page" : "pitch chart");
     if (o.output)
         make_chart(o);
-    send(o, {chart.image}, chart.metadata->film.pixel_pitch,
-         o.calibration ? "calibration page" : "pitch chart");
+    send(std::move(job), {chart.image});
     return exit_done;
 }
 

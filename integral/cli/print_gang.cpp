@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -18,19 +20,20 @@ std::unique_ptr<FrameReader> opened(const PrintOptions& o, std::size_t input)
     return std::make_unique<FrameReader>(o.inputs[input], o.start.value_or(""));
 }
 
-/// The frames' geometries. Throws InputError if a frame has none, or another sheet or film than the
-/// first.
+/// The frames' geometries, each as often as --repeat requires. Throws InputError if a frame has
+/// none, or another sheet or film than the first.
 std::vector<FrameMetadata> geometries(const PrintOptions& o, const Readers& frames)
 {
     std::vector<FrameMetadata> all;
-    const std::size_t repeats = frames.size() / o.inputs.size();
+    const int repeats = std::max(1, repeats_of(o));
     for (std::size_t k = 0; k < frames.size(); ++k) {
         frames[k]->require_metadata();
-        all.push_back(*frames[k]->frame().metadata);
-        const std::string difference = sheet_difference(all[0], all[k]);
+        const FrameMetadata& metadata = *frames[k]->frame().metadata;
+        all.insert(all.end(), std::size_t(repeats), metadata);
+        const std::string difference = sheet_difference(all[0], metadata);
         if (!difference.empty())
-            throw InputError(o.inputs[k / repeats] + ": its lens sheet is not that of " +
-                             o.inputs[0] + ": " + difference +
+            throw InputError(o.inputs[k] + ": its lens sheet is not that of " + o.inputs[0] + ": " +
+                             difference +
                              "; print it on a page of its own, or render both for one sheet");
     }
     return all;
@@ -74,6 +77,32 @@ Gang on_either_paper(const PrintOptions& o, const std::vector<FrameMetadata>& fr
     return upright_gang ? *upright_gang : on_paper(o, frames, settings);
 }
 
+/// A reader for each place. Copies of a frame whose rows stand level share one, and so do copies in
+/// different rows of frames. Adds the readers that are needed to `frames`.
+std::vector<FrameReader*> shared_readers(const PrintOptions& o, const Gang& gang,
+                                         const std::vector<std::size_t>& inputs, Readers& frames)
+{
+    std::map<std::pair<std::size_t, int>, FrameReader*> by_level; // input, rows below its row's top
+    std::set<std::size_t> used;                                   // of `frames`, at first
+    std::vector<FrameReader*> readers;
+    int top = 0, bottom = -1;
+    for (std::size_t k = 0; k < gang.places.size(); ++k) {
+        const PixelRectangle& place = gang.places[k];
+        if (place.y >= bottom)
+            top = place.y;
+        bottom = std::max(bottom, place.y + place.height);
+        FrameReader*& reader = by_level[{inputs[k], place.y - top}];
+        if (!reader && used.insert(inputs[k]).second)
+            reader = frames[inputs[k]].get();
+        if (!reader) {
+            frames.push_back(opened(o, inputs[k]));
+            reader = frames.back().get();
+        }
+        readers.push_back(reader);
+    }
+    return readers;
+}
+
 /// Reports how well one lens sheet serves all frames.
 void report(const Gang& gang, Vec2 pixel)
 {
@@ -89,31 +118,33 @@ void report(const Gang& gang, Vec2 pixel)
 Readers open_frames(const PrintOptions& o)
 {
     Readers frames;
-    const int repeats = std::max(1, repeats_of(o));
     for (std::size_t k = 0; k < o.inputs.size(); ++k) {
         if (o.inputs[k] == "-" && holds_several(o))
             throw UsageError("FRAME - is printed alone; several frames need files");
-        for (int copy = 0; copy < repeats; ++copy)
-            frames.push_back(opened(o, k));
+        frames.push_back(opened(o, k));
     }
     return frames;
 }
 
-FrameMetadata arrange(const PrintOptions& o, Readers& frames, PrintSettings& settings)
+FrameMetadata arrange(const PrintOptions& o, Readers& frames, PrintSettings& settings,
+                      std::vector<FrameReader*>& readers)
 {
     if (o.tile)
-        throw UsageError("--tile is for one FRAME");
+        throw UsageError("--tile is for one FRAME; print them one by one");
     if (!settings.page.paper)
         throw UsageError("several frames on one page need --paper");
     if (is_roll(*settings.page.paper) && repeats_of(o) == 0)
         throw UsageError("--repeat fill needs paper with a length; for a roll, give --repeat N");
     const std::vector<FrameMetadata> all = geometries(o, frames);
     const Gang gang = usage_checked("", [&] { return on_either_paper(o, all, settings); });
-    while (frames.size() < gang.places.size())
-        frames.push_back(opened(o, 0));
-    for (std::size_t k = 0; k < gang.places.size(); ++k)
-        settings.page.frames.push_back(
-            {gang.places[k], page_request(o, frames[k]->frame().metadata->film).trim});
+    const std::size_t copies = gang.places.size() / o.inputs.size();
+    std::vector<std::size_t> inputs; // of the places
+    for (std::size_t k = 0; k < gang.places.size(); ++k) {
+        inputs.push_back(k / copies);
+        const double trim = page_request(o, frames[inputs[k]]->frame().metadata->film).trim;
+        settings.page.frames.push_back({gang.places[k], trim});
+    }
+    readers = shared_readers(o, gang, inputs, frames);
     settings.title += ", " + counted(int(gang.places.size()), "frame");
     if (o.strip)
         settings.page.strip = settings.title;

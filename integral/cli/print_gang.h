@@ -12,15 +12,15 @@ namespace integral {
 
 using Readers = std::vector<std::unique_ptr<FrameReader>>;
 
-/// Opens each FRAME, as often as --repeat requires; once if it requires as often as there is room.
-/// Throws UsageError, InputError.
+/// Opens each FRAME. Throws UsageError, InputError.
 Readers open_frames(const PrintOptions& o);
 
-/// Arranges several frames on the paper of `settings` and turns the paper if only that gives room;
-/// prints a line about their lenses. Sets settings.page.frames and opens the frames that fill the
-/// page. `settings`: of the first frame. Returns the geometry of all frames as one picture. Throws
-/// UsageError, InputError.
-FrameMetadata arrange(const PrintOptions& o, Readers& frames, PrintSettings& settings);
+/// Arranges several frames on the paper of `settings` and turns the paper if only that gives room,
+/// or room for more; prints a line about their lenses. Sets settings.page.frames, and `readers` to
+/// a reader for each of them; opens more readers if copies do not stand level. `settings`: of the
+/// first frame. Returns the geometry of all frames as one picture. Throws UsageError, InputError.
+FrameMetadata arrange(const PrintOptions& o, Readers& frames, PrintSettings& settings,
+                      std::vector<FrameReader*>& readers);
 
 } // namespace integral
 

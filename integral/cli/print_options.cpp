@@ -144,15 +144,14 @@ Paper parse_paper_size(const std::string& text)
     if (const std::optional<Paper> paper = paper_named(text))
         return *paper;
     constexpr char legal[] = ", or WIDTHxHEIGHT of 5 to 5000 mm, or WIDTHxroll,";
-    double width = 0, height = 0;
-    int read = 0;
-    if (std::sscanf(text.c_str(), "%lfxroll%n", &width, &read) == 1 && read == int(text.size()) &&
-        width >= 5 && width <= largest_paper)
+    const std::size_t times = std::min(text.find('x'), text.size());
+    const std::string second = text.substr(std::min(times + 1, text.size()));
+    const auto is_length = [](double mm) { return mm >= 5 && mm <= largest_paper; };
+    const double width = number_in(text.substr(0, times)).value_or(0);
+    if (is_length(width) && second == "roll")
         return {width, 0};
-    read = 0;
-    if (std::sscanf(text.c_str(), "%lfx%lf%n", &width, &height, &read) != 2 ||
-        read != int(text.size()) || !(width >= 5 && height >= 5) ||
-        !(width <= largest_paper && height <= largest_paper))
+    const double height = number_in(second).value_or(0);
+    if (!is_length(width) || !is_length(height))
         throw_usage("paper", text, paper_names() + legal);
     return {width, height};
 }
@@ -237,10 +236,11 @@ Intent intent_of(const PrintOptions& o)
 std::optional<HalftoneSettings> halftone_of(const PrintOptions& o)
 {
     if (!o.halftone) {
-        throw_if_given({{"levels", o.levels}}, "is for --halftone");
+        throw_if_given({{"levels", o.levels}}, "is for --halftone; give both");
         return std::nullopt;
     }
-    throw_if_given({{"bits", o.bits}, {"icc", o.icc}}, "does not work with --halftone");
+    throw_if_given({{"bits", o.bits}, {"icc", o.icc}, {"intent", o.intent}, {"white", o.white}},
+                   "does not work with --halftone; leave one of them out");
     HalftoneSettings settings;
     settings.grey = meaning_of("halftone", *o.halftone, halftone_choices);
     settings.levels = in_range("levels", o.levels.value_or(2), 2, most_levels);

@@ -11,6 +11,8 @@ namespace integral {
 int read_calibration(const CalibrationOptions& o)
 {
     const std::string output = needed_output(o.output, "FILE.json");
+    if (output != "-" && extension_of(output) != "json")
+        throw UsageError("-o " + output + ": the sheet as measured is a .json");
     check_outputs({output});
     FrameMetadata geometry = nominal_geometry(o.start, o.sheet, o.film);
     set_calibration_page(o.page, geometry.film);
@@ -30,6 +32,8 @@ int read_calibration(const CalibrationOptions& o)
                                       : calibration_text(page.sheet, found);
     geometry.sheet = calibrated_sheet(page.sheet, found);
     geometry.film.width = geometry.film.height = 0;
+    if (const auto filling = filling_aperture(geometry.sheet, geometry.aperture.distance))
+        geometry.aperture = *filling;
     write_file(output, to_json(geometry));
     print_figures(report, output == "-");
     return exit_done;

@@ -236,9 +236,9 @@ print's resolution or more; the light is changed only as asked for.
 
 --calibration measures a lens sheet by one photograph of a page (integral print --calibration)
 that lies under it: pitch, turn, phase, thickness / index, leak and dot gain, each with its
-standard deviation. The squares around the sheet give the camera. Where the photograph
-determines little, the nominal figures count: thickness within 2%, index within 0.7%, and half
-of what the curved surface of spherical lenses does.
+standard deviation. The squares around the sheet give the camera. Give exactly the options
+that the page was made with (its heading has them): --distance is the page's, by default 400.
+The pitch may differ from the nominal one by 1.5%, the sheet may be turned by 5 degrees.
 )",
     1,
     1,

@@ -9,13 +9,12 @@
 // - beat: lines of the pitch at which the lenses image the film, slightly tilted. Each lens shows a
 //   dot of one line, so that the sheet turns the lines' phase against the lenses into brightness:
 //   the tilt makes fringes across the lenses, and their place gives the phase, whatever light and
-//   contrast are. The tilt changes its sign from group to group, so that no turn of the sheet can
-//   be mistaken for another.
+//   contrast are. The tilt changes its sign from group to group, so that no turn of the sheet up to
+//   5 degrees can be mistaken for another.
 // - leak: the same with narrow lines: light that an eye gets from a neighbouring place has leaked.
 // - coarse: light and dark as far apart as several lenses, seen through the sheet as through a
-// plate
-//   of glass. Their displacement depends on thickness and index. The light changes as a sine, which
-//   the lenses' sampling does not displace.
+//   plate of glass. Their displacement depends on thickness and index. The light changes as a sine,
+//   which the lenses' sampling does not displace.
 // - tints: fine lines perpendicular to the others, which lenticular lenses do not magnify, and
 //   plain white and black, for the dot gain.
 #ifndef INTEGRAL_PRINT_CALIBRATION_LAYOUT_H

@@ -20,8 +20,16 @@ namespace {
 /// The time now, or the time in SOURCE_DATE_EPOCH.
 std::time_t time_of_print()
 {
+    constexpr long long last = 253402300799; // of the year 9999
     const char* fixed = std::getenv("SOURCE_DATE_EPOCH");
-    return fixed ? std::time_t(std::strtoll(fixed, nullptr, 10)) : std::time(nullptr);
+    if (!fixed)
+        return std::time(nullptr);
+    char* end = nullptr;
+    const long long seconds = std::strtoll(fixed, &end, 10);
+    if (end == fixed || *end || seconds < 0 || seconds > last)
+        throw std::invalid_argument("SOURCE_DATE_EPOCH is no time that has a date; give seconds "
+                                    "from 1970 on, to the year 9999");
+    return std::time_t(seconds);
 }
 
 std::string today()
@@ -181,13 +189,20 @@ FramePrint::FramePrint(const std::vector<FrameReader*>& frames, const FrameMetad
     int bits = settings.bits;
     for (std::size_t k = 0; k < frames.size(); ++k) {
         const auto& placed = settings.page.frames;
-        Source source;
-        source.reader = frames[k];
-        source.place = placed.empty() ? PixelRectangle{0, 0, film.width, film.height}
-                                      : placed.at(k).place;
-        if (settings.halftone)
-            source.halftone.emplace(*frames[k]->frame().metadata, *settings.halftone);
-        sources_.push_back(std::move(source));
+        const PixelRectangle place = placed.empty() ? PixelRectangle{0, 0, film.width, film.height}
+                                                    : placed.at(k).place;
+        const auto same = std::find_if(sources_.begin(), sources_.end(), [&](const Source& source) {
+            return source.frame->reader == frames[k];
+        });
+        if (same != sources_.end()) {
+            sources_.push_back({same->frame, place});
+        } else {
+            sources_.push_back({std::make_shared<FrameRows>(), place});
+            sources_.back().frame->reader = frames[k];
+            if (settings.halftone)
+                sources_.back().frame->halftone.emplace(*frames[k]->frame().metadata,
+                                                        *settings.halftone);
+        }
         if (settings.bits == 0)
             bits = std::max(bits, std::min(16, sample_bits(frames[k]->frame().image)));
     }
@@ -218,36 +233,37 @@ FramePrint::FramePrint(const std::vector<FrameReader*>& frames, const FrameMetad
 bool FramePrint::is_two_tone() const { return levels_ == 2; }
 
 /// The frame's next rows.
-Image FramePrint::Source::read(int rows)
+Image FramePrint::FrameRows::read(int rows)
 {
     const Image& frame = reader->frame().image;
     stop_if_interrupted();
-    Image band = blank_like(frame, frame.width, rows);
-    reader->read(band);
+    Image read_rows = blank_like(frame, frame.width, rows);
+    reader->read(read_rows);
     next += rows;
-    return band;
+    return read_rows;
 }
 
 /// Rows of a frame, halftoned in the blocks that the halftone requires.
-Image FramePrint::halftoned_rows(Source& source, int first, int count)
+Image FramePrint::halftoned_rows(FrameRows& frame, int first, int count)
 {
-    Image& block = source.block;
-    if (first < source.next - block.height) {
-        source.reader->restart();
-        source.halftone->restart();
-        source.next = 0;
+    Image& block = frame.block;
+    if (first < frame.next - block.height) {
+        frame.reader->restart();
+        frame.halftone->restart();
+        frame.next = 0;
         block = Image();
     }
-    const int width = source.place.width, height = source.place.height;
+    const int width = frame.reader->frame().image.width,
+              height = frame.reader->frame().image.height;
     Image picture = blank_like(form_, width, count);
     for (int y = first; y < first + count; ++y) {
-        while (y >= source.next) {
-            Image rows = source.read(std::min(LensHalftone::block_rows, height - source.next));
-            block = source.halftone->apply(rows.channels == 3 ? rows
-                                                              : over_white(std::move(rows), 16));
+        while (y >= frame.next) {
+            Image rows = frame.read(std::min(LensHalftone::block_rows, height - frame.next));
+            block = frame.halftone->apply(rows.channels == 3 ? rows
+                                                             : over_white(std::move(rows), 16));
         }
         std::memcpy(row_bytes(picture, y - first),
-                    row_bytes(block, y - (source.next - block.height)),
+                    row_bytes(block, y - (frame.next - block.height)),
                     std::size_t(width) * form_.channels);
     }
     return picture;
@@ -255,21 +271,31 @@ Image FramePrint::halftoned_rows(Source& source, int first, int count)
 
 /// Rows of a frame in the profile's colours, or halftoned. Going back reads the file from its start
 /// again.
-Image FramePrint::rows_of_frame(Source& source, int first, int count)
+Image FramePrint::new_rows_of_frame(FrameRows& frame, int first, int count)
 {
-    if (source.halftone)
-        return halftoned_rows(source, first, count);
-    if (first < source.next) {
-        source.reader->restart();
-        source.next = 0;
+    if (frame.halftone)
+        return halftoned_rows(frame, first, count);
+    if (first < frame.next) {
+        frame.reader->restart();
+        frame.next = 0;
     }
-    while (source.next < first)
-        source.read(std::min(rows_of_a_band(source.reader->frame().image), first - source.next));
-    const Image stored = source.read(count);
+    while (frame.next < first)
+        frame.read(std::min(rows_of_a_band(frame.reader->frame().image), first - frame.next));
+    const Image stored = frame.read(count);
     Image picture = over_white(stored, sample_bits(form_));
     if (transform_)
         picture = transform_->apply(std::move(picture));
     return form_.channels == 5 ? with_white_ink(picture, stored, pages_[0].white) : picture;
+}
+
+/// The same; the last rows are kept, for copies of the frame beside it.
+const Image& FramePrint::rows_of_frame(FrameRows& frame, int first, int count)
+{
+    if (frame.band_row != first || frame.band.height != count) {
+        frame.band = new_rows_of_frame(frame, first, count);
+        frame.band_row = first;
+    }
+    return frame.band;
 }
 
 /// Rows of the picture: the frames with paper between them.
@@ -277,7 +303,7 @@ Image FramePrint::rows(int first, int count)
 {
     const PixelRectangle& only = sources_[0].place;
     if (sources_.size() == 1 && only.width == form_.width && only.height == form_.height)
-        return rows_of_frame(sources_[0], first, count);
+        return new_rows_of_frame(*sources_[0].frame, first, count);
     Image band = blank_like(form_, form_.width, count);
     fill_with_paper(band, pages_[0].white);
     const std::size_t pixel = std::size_t(form_.channels) * (sample_bits(form_) / 8);
@@ -287,7 +313,7 @@ Image FramePrint::rows(int first, int count)
                   end = std::min(first + count, place.y + place.height);
         if (begin >= end)
             continue;
-        const Image part = rows_of_frame(source, begin - place.y, end - begin);
+        const Image& part = rows_of_frame(*source.frame, begin - place.y, end - begin);
         for (int y = 0; y < part.height; ++y)
             std::memcpy(row_bytes(band, begin - first + y) + pixel * place.x, row_bytes(part, y),
                         pixel * part.width);
@@ -327,6 +353,11 @@ PictureWriter FramePrint::page_writer(const Page& page, const std::string& path)
 
 void FramePrint::write_pdf_file(const std::string& path)
 {
+    constexpr double longest = 14400 * mm_per_inch / 72; // mm: PDF 1.6, annex C
+    for (const Page& page : pages_)
+        if (std::max(page.width * page.pixel_pitch.x, page.height * page.pixel_pitch.y) > longest)
+            throw OutputError(path + ": a page of a PDF is at most 5080 mm long; write a .tiff, or "
+                                     "print fewer frames");
     OutputFile file(path);
     with_errors_named<std::exception>(
         [&] {

@@ -9,6 +9,7 @@
 #include "integral/print/lens_halftone.h"
 #include "integral/print/page_raster.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,20 +74,27 @@ public:
     std::vector<Image> pictures();
 
 private:
-    /// A frame, and its place in the picture.
-    struct Source {
+    /// A frame whose rows are read from the top. Copies side by side share it.
+    struct FrameRows {
         FrameReader* reader = nullptr;
-        PixelRectangle place;
         int next = 0; ///< the reader's current row
         std::optional<LensHalftone> halftone;
-        Image block; ///< the last halftoned rows: those before row `next`
+        Image block;       ///< the last halftoned rows: those before row `next`
+        int band_row = -1; ///< the first row of `band`
+        Image band;        ///< the last rows, as on the page
 
         Image read(int rows);
     };
+    /// A frame, and its place in the picture.
+    struct Source {
+        std::shared_ptr<FrameRows> frame;
+        PixelRectangle place;
+    };
 
-    Image rows_of_frame(Source& source, int first, int count);
+    const Image& rows_of_frame(FrameRows& frame, int first, int count);
+    Image new_rows_of_frame(FrameRows& frame, int first, int count);
+    Image halftoned_rows(FrameRows& frame, int first, int count);
     Image rows(int first, int count);
-    Image halftoned_rows(Source& source, int first, int count);
     bool is_two_tone() const;
     PictureRows row_source();
     PictureWriter page_writer(const Page& page, const std::string& path) const;

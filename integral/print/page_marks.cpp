@@ -25,6 +25,18 @@ Box box_of(const PixelRectangle& r, Vec2 pitch)
     return {r.x * pitch.x, r.y * pitch.y, (r.x + r.width) * pitch.x, (r.y + r.height) * pitch.y};
 }
 
+/// Whether a line from `left` to `right` at the height `cut` meets one of the pictures, or touches
+/// it.
+bool meets(const std::vector<Box>& pictures, double left, double right, double cut)
+{
+    constexpr double apart_from_picture = 0.2; // mm
+    for (const Box& other : pictures)
+        if (cut > other.top - apart_from_picture && cut < other.bottom + apart_from_picture &&
+            right > other.left - apart_from_picture && left < other.right + apart_from_picture)
+            return true;
+    return false;
+}
+
 /// Adds the crop marks of picture number `own` at its edges to the left and right. Where another
 /// picture is near, marks share the gap with that picture's; in a gap too narrow there are none.
 /// `line` makes a line of two places across and one down.
@@ -47,6 +59,9 @@ void add_crop_marks(std::vector<PageLine>& lines, const std::vector<Box>& pictur
                 continue;
             const double way = after ? 1 : -1,
                          from = (after ? picture.right : picture.left) + way * clear_of_picture;
+            if (meets(pictures, std::min(from, from + way * length),
+                      std::max(from, from + way * length), cut))
+                continue;
             lines.push_back(line(from, from + way * length, cut));
         }
 }

@@ -38,6 +38,7 @@ Window window_of(const FrameMetadata& m, double across, double along)
     // The standard deviation of a disc is a quarter of its diameter; a square's square is 1/12.
     window.across = std::sqrt(square(pupil * m.sheet.thickness / (m.sheet.ior * distance) / 4) +
                               square(printed_dot / 4) + square(across) / 12);
+    window.across = std::min(window.across, 3 * across);
     // Far eyes average over more pixels than a search needs to look at.
     window.sharp = std::min(0.93 * minute * distance, 3 * along);
     window.broad = std::min(2.54 * minute * distance, 8 * along);
