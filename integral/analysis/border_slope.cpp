@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/analysis/border_slope.h"
 
+#include "integral/analysis/least_squares.h"
+
 #include <cmath>
 
 namespace integral {
@@ -67,29 +69,17 @@ Slope slope_at(const Plane& edges, const std::vector<Vec2>& points, const ScanMa
     return slope;
 }
 
-std::optional<MapChange> solve(Matrix a, MapChange b, std::size_t n)
+std::optional<MapChange> solve(const Matrix& a, const MapChange& b, std::size_t n)
 {
-    for (std::size_t k = 0; k < n; ++k) { // Cholesky
-        for (std::size_t l = 0; l <= k; ++l) {
-            double sum = a[k][l];
-            for (std::size_t i = 0; i < l; ++i)
-                sum -= a[k][i] * a[l][i];
-            if (k == l && !(sum > 0))
-                return std::nullopt;
-            a[k][l] = k == l ? std::sqrt(sum) : sum / a[l][l];
-        }
-    }
-    for (std::size_t k = 0; k < n; ++k) {
-        for (std::size_t i = 0; i < k; ++i)
-            b[k] -= a[k][i] * b[i];
-        b[k] /= a[k][k];
-    }
-    for (std::size_t k = n; k-- > 0;) {
-        for (std::size_t i = k + 1; i < n; ++i)
-            b[k] -= a[i][k] * b[i];
-        b[k] /= a[k][k];
-    }
-    return b;
+    SquareMatrix matrix(n);
+    for (std::size_t k = 0; k < n; ++k)
+        std::copy_n(a[k].begin(), n, &matrix.at(k, 0));
+    const auto solved = solve_positive(std::move(matrix), {b.begin(), b.begin() + n}, 0);
+    if (!solved)
+        return std::nullopt;
+    MapChange change = b;
+    std::copy(solved->begin(), solved->end(), change.begin());
+    return change;
 }
 
 MapChange combined(const std::vector<MapChange>& free, const MapChange& amounts)

@@ -39,7 +39,7 @@ Slope slope_at(const Plane& edges, const std::vector<Vec2>& points, const ScanMa
                const std::vector<MapChange>& free);
 
 /// Solves a x = b for a symmetric positive definite a of `n` rows; returns nothing for any other a.
-std::optional<MapChange> solve(Matrix a, MapChange b, std::size_t n);
+std::optional<MapChange> solve(const Matrix& a, const MapChange& b, std::size_t n);
 
 /// Sum of the free directions, each times its amount.
 MapChange combined(const std::vector<MapChange>& free, const MapChange& amounts);

@@ -8,7 +8,7 @@ namespace integral {
 namespace {
 
 /// Replaces a by its lower Cholesky factor. Returns false if a is not positive definite.
-bool factorise(SquareMatrix& a)
+bool factorise(SquareMatrix& a, double tolerance)
 {
     for (std::size_t k = 0; k < a.size; ++k) {
         for (std::size_t j = 0; j <= k; ++j) {
@@ -17,7 +17,7 @@ bool factorise(SquareMatrix& a)
                 sum -= a.at(k, i) * a.at(j, i);
             if (j < k)
                 a.at(k, j) = sum / a.at(j, j);
-            else if (sum > 1e-14 * std::fabs(a.at(k, k)))
+            else if (sum > tolerance * std::fabs(a.at(k, k)))
                 a.at(k, k) = std::sqrt(sum);
             else
                 return false;
@@ -76,9 +76,10 @@ void differentiate(const LeastSquaresProblem& problem, LeastSquaresFit& fit)
 
 } // namespace
 
-std::optional<std::vector<double>> solve_positive(SquareMatrix a, std::vector<double> b)
+std::optional<std::vector<double>> solve_positive(SquareMatrix a, std::vector<double> b,
+                                                  double tolerance)
 {
-    if (!factorise(a))
+    if (!factorise(a, tolerance))
         return std::nullopt;
     solve_factorised(a, b);
     return b;
@@ -87,7 +88,7 @@ std::optional<std::vector<double>> solve_positive(SquareMatrix a, std::vector<do
 std::optional<SquareMatrix> inverse_positive(const SquareMatrix& a)
 {
     SquareMatrix factor = a, inverse(a.size);
-    if (!factorise(factor))
+    if (!factorise(factor, pivot_tolerance))
         return std::nullopt;
     for (std::size_t j = 0; j < a.size; ++j) {
         std::vector<double> column(a.size);

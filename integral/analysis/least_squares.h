@@ -20,8 +20,12 @@ struct SquareMatrix {
     double at(std::size_t row, std::size_t column) const { return values[row * size + column]; }
 };
 
+/// A pivot must be greater than this fraction of its diagonal element.
+constexpr double pivot_tolerance = 1e-14;
+
 /// Solves a x = b for a symmetric positive definite a; returns nothing for any other a.
-std::optional<std::vector<double>> solve_positive(SquareMatrix a, std::vector<double> b);
+std::optional<std::vector<double>> solve_positive(SquareMatrix a, std::vector<double> b,
+                                                  double tolerance = pivot_tolerance);
 
 /// Inverse of a symmetric positive definite matrix; nothing for any other.
 std::optional<SquareMatrix> inverse_positive(const SquareMatrix& a);

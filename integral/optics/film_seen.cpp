@@ -57,7 +57,7 @@ inline __attribute__((always_inline)) void compute(const Lenses lenses, double d
     }
 }
 
-/// The same for hexagonal lenses, every second row of which is shifted by half a pitch. The nearest
+/// Computes the same for hexagonal lenses: every second row is shifted by half a pitch. The nearest
 /// pole is in one of the two rows that enclose the point. `beside` is 1 where both are about as
 /// near.
 INTEGRAL_VECTORS void compute_hexagonal(const Lenses& given, double distance, FilmSeenRun& run,

@@ -153,18 +153,19 @@ std::string sheet_difference(const FrameMetadata& a, const FrameMetadata& b)
     if (s.arrangement != t.arrangement)
         return std::string("arrangement: ") + name_of(s.arrangement) + " and " +
                name_of(t.arrangement);
-    if (differ(s.pitch, t.pitch))
-        return both("pitch", s.pitch, t.pitch, " mm");
-    if (differ(s.thickness, t.thickness))
-        return both("thickness", s.thickness, t.thickness, " mm");
-    if (differ(s.ior, t.ior))
-        return both("ior", s.ior, t.ior, "");
-    if (differ(s.slant, t.slant))
-        return both("slant", s.slant, t.slant, " degrees");
-    if (differ(p.x, q.x))
-        return both("pixel pitch across", p.x, q.x, " mm");
-    if (differ(p.y, q.y))
-        return both("pixel pitch down", p.y, q.y, " mm");
+    const struct {
+        const char* what;
+        double a, b;
+        const char* unit;
+    } figures[] = {{"pitch", s.pitch, t.pitch, " mm"},
+                   {"thickness", s.thickness, t.thickness, " mm"},
+                   {"ior", s.ior, t.ior, ""},
+                   {"slant", s.slant, t.slant, " degrees"},
+                   {"pixel pitch across", p.x, q.x, " mm"},
+                   {"pixel pitch down", p.y, q.y, " mm"}};
+    for (const auto& [what, a_figure, b_figure, unit] : figures)
+        if (differ(a_figure, b_figure))
+            return both(what, a_figure, b_figure, unit);
     return "";
 }
 

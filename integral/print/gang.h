@@ -31,7 +31,7 @@ struct Gang {
 std::string sheet_difference(const FrameMetadata& a, const FrameMetadata& b);
 
 /// Places frames from left to right in rows from the top, each as near to its neighbours as the gap
-/// and its lenses allow: where the axes (poles) of its lenses lie on those of the common sheet, to
+/// and its lenses allow: the axes (poles) of its lenses must lie on those of the common sheet, to
 /// half a pixel across and down. Frames must have the same sheet and pixels (sheet_difference);
 /// only their sheets' offsets may differ. Throws std::invalid_argument if there is no room for all.
 Gang gang(const std::vector<FrameMetadata>& frames, const GangRequest& request);

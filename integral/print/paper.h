@@ -10,8 +10,8 @@
 
 namespace integral {
 
-/// A sheet, mm. Named sheets are upright: width <= height. A height of 0 means a roll, of which a
-/// page takes as much as it needs.
+/// A sheet, mm. Named sheets are upright: width <= height. A height of 0 means a roll; a page
+/// takes as much of its length as it needs.
 struct Paper {
     double width = 0, height = 0;
 };

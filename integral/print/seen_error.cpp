@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/print/seen_error.h"
 
+#include "integral/base/constants.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +34,7 @@ struct Window {
 Window window_of(const FrameMetadata& m, double across, double along)
 {
     constexpr double pupil = 4, printed_dot = 0.04; // diameters, mm
-    constexpr double minute = 3.14159265358979323846 / (180 * 60);
+    constexpr double minute = radians_per_degree / 60;
     const double distance = viewer_distance(m);
     Window window;
     // The standard deviation of a disc is a quarter of its diameter; a square's square is 1/12.

@@ -78,8 +78,7 @@ DrawnLayer drawn_layer(const Image& picture, const PicturePlane& plane, const La
 class FrameOfLayers {
 public:
     /// `layers`: any order; of two at the same distance, the later one is in front. Tilted ones may
-    /// pass through each other. If
-    /// `transparent` is not set, they stand on black.
+    /// pass through each other. If `transparent` is not set, they stand on black.
     FrameOfLayers(std::vector<DrawnLayer> layers, const FrameMetadata& geometry, bool transparent);
     ~FrameOfLayers();
 

@@ -87,7 +87,7 @@ std::optional<BareEdge> bare_edge(const PictureLayer& layer, const LayerWindow& 
     return bare;
 }
 
-/// Reads the pictures of layers. It keeps the last file of several pictures.
+/// Reads the pictures of layers. The layers of a file of several pictures must follow each other.
 class LayerImages {
 public:
     /// Throws std::invalid_argument if it is a frame, or the file has too few pictures.
@@ -101,21 +101,17 @@ public:
                                             "with integral combine");
             return std::move(frame.image);
         }
-        if (path_ != layer.path) {
-            pictures_.clear();
+        if (*layer.picture == 0)
             pictures_ = read_list_of_views(layer.path, std::size_t(layer.pictures));
-            path_ = layer.path;
-        }
         if (*layer.picture >= int(pictures_.size()))
             throw std::invalid_argument(layer.path + ": it holds " +
                                         std::to_string(pictures_.size()) +
                                         (pictures_.size() == 1 ? " picture" : " pictures") +
                                         "; give as many distances, or fewer");
-        return pictures_[std::size_t(*layer.picture)];
+        return std::move(pictures_[std::size_t(*layer.picture)]);
     }
 
 private:
-    std::string path_;
     std::vector<Image> pictures_;
 };
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-# What eyes see of a halftone's error. Replays a frame, its halftone (a page of the frame's size) and
+# Measures the error of a halftone as eyes see it. Replays a frame, its halftone (a page of the frame's size) and
 # Pillow's error diffusion of the frame's linear light (Floyd and Steinberg) for three eyes at the
 # viewing distance; takes the differences from the frame in linear light; blurs them as an eye does,
 # by a Gaussian with a standard deviation of one minute of arc; and prints the root mean squares.
