@@ -90,15 +90,6 @@ Viewer viewer_of(const SheetCommandOptions& o)
     return viewer;
 }
 
-/// Computes what the viewer sees of a flip behind this sheet.
-void set_ghost(const FrameMetadata& geometry, Viewer& viewer)
-{
-    if (!geometry.projection)
-        viewer.ghost = ghost_in_zone(geometry, lenses_lie_across(geometry.sheet)
-                                                   ? ZoneAxis::upwards
-                                                   : ZoneAxis::sideways);
-}
-
 void draw(const SheetCommandOptions& o, const FrameMetadata& geometry, const Viewer& viewer)
 {
     const std::string output = o.output.value_or("");
@@ -158,7 +149,7 @@ int report_scene(const SheetCommandOptions& o)
                                               progress_bar("depths"));
     stop_if_interrupted();
     const DepthFrame& depths = scene.depths;
-    set_ghost(depths.metadata, viewer);
+    viewer.ghost = ghost_in_zone(depths.metadata);
     std::optional<Image> picture;
     if (o.picture || page)
         picture = scene_picture(depths, scene.colours);
@@ -240,7 +231,7 @@ int run(const SheetCommandOptions& o)
         return exit_done;
     }
     Viewer viewer = viewer_of(o);
-    set_ghost(geometry, viewer);
+    viewer.ghost = ghost_in_zone(geometry);
     if (o.plot) {
         draw(o, geometry, viewer);
         return exit_done;

@@ -7,6 +7,7 @@
 #include "integral/sheet/known_sheets.h"
 #include "integral/sheet/scene_fit.h"
 #include "integral/sheet/sheet_report.h"
+#include "integral/views/zone_view.h"
 
 #include <pybind11/stl.h>
 
@@ -53,7 +54,9 @@ void declare_sheet(py::module_& module)
         Viewer viewer;
         viewer.pupil = pupil;
         viewer.depths = std::move(depths);
-        return python_of(sheet_report_json(frame_metadata_from_json(text_of(document)), viewer));
+        const FrameMetadata geometry = frame_metadata_from_json(text_of(document));
+        viewer.ghost = ghost_in_zone(geometry);
+        return python_of(sheet_report_json(geometry, viewer));
     });
     module.def("known_sheets", [] {
         py::dict sheets;

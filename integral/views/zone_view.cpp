@@ -95,11 +95,10 @@ double greatest_other(const std::vector<EyeShares>& eyes)
     return greatest;
 }
 
-} // namespace
-
-/// 1.88 standard deviations of the place in the zone whose picture an eye sees, taken as normal.
-/// Pupil and blur spot are discs; pixels lie differently behind each lens.
-double ghost_in_zone(const FrameMetadata& geometry, ZoneAxis axis)
+/// As ghost_in_zone, along either axis: 1.88 standard deviations of the place in the zone whose
+/// picture an eye sees, taken as normal. Pupil and blur spot are discs; pixels lie differently
+/// behind each lens.
+double blur_in_zone(const FrameMetadata& geometry, ZoneAxis axis)
 {
     View view;
     view.eye = centre_eye(geometry);
@@ -111,6 +110,15 @@ double ghost_in_zone(const FrameMetadata& geometry, ZoneAxis axis)
                              along(pixel, axis) * scale / std::sqrt(12));
 }
 
+} // namespace
+
+std::optional<double> ghost_in_zone(const FrameMetadata& geometry)
+{
+    if (geometry.projection)
+        return std::nullopt;
+    return blur_in_zone(geometry, zone_axis(geometry.sheet));
+}
+
 ZoneView zone_view(const FrameMetadata& geometry, const ZoneShares& shares,
                    const std::vector<int>& order, int count, ZoneAxis axis, double contrast,
                    int threads)
@@ -120,7 +128,7 @@ ZoneView zone_view(const FrameMetadata& geometry, const ZoneShares& shares,
     view.distance = geometry.aperture.distance;
     Vec2 zone = viewing_zone(geometry, view.distance);
     view.width = along(zone, axis);
-    view.blur = ghost_in_zone(geometry, axis);
+    view.blur = blur_in_zone(geometry, axis);
     const auto mm = [&](double part) { return (part - 0.5) * view.width; };
     for (int k = 0; k < shares.count(); ++k) {
         ShareView part;

@@ -49,8 +49,8 @@ struct ZoneView {
 
 /// Width of a flip's ghost at the viewing distance: the distance from a change, mm in the zone, up
 /// to which the sheet mixes more than 3% of one picture into the other, by pupil, printed dots and
-/// the lenses' blur (set_as_seen).
-double ghost_in_zone(const FrameMetadata& geometry, ZoneAxis axis);
+/// the lenses' blur (set_as_seen). Along zone_axis; empty for a frame behind a projection lens.
+std::optional<double> ghost_in_zone(const FrameMetadata& geometry);
 
 /// Computes the figures by replay, with pupil, printed dots and the lenses' blur (set_as_seen), on
 /// a narrow strip of the sheet. `count`: the number of pictures; `order` as in FrameOfShares.
