@@ -27,6 +27,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/analysis/least_squares.h \
   integral/analysis/lens_borders.cpp \
   integral/analysis/lens_borders.h \
+  integral/analysis/page_code.cpp \
+  integral/analysis/page_code.h \
   integral/analysis/page_corners.cpp \
   integral/analysis/page_corners.h \
   integral/analysis/page_targets.cpp \

@@ -3,6 +3,7 @@
 
 #include "integral/analysis/calibration_fit.h"
 #include "integral/analysis/calibration_light.h"
+#include "integral/analysis/page_code.h"
 #include "integral/base/constants.h"
 #include "integral/optics/visual_pitch.h"
 
@@ -79,6 +80,7 @@ SheetCalibration calibrate_sheet(const Plane& photo, const CalibrationPage& page
     for (int k = 0; k < 4; ++k)
         targets[k] = layout.targets[k].middle;
     const PageView seen = find_page(photo, targets, layout.corners);
+    check_page_code(photo, seen.camera, layout.code);
 
     SheetPrior prior;
     prior.thickness = sheet.thickness;

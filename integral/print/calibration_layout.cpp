@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <zlib.h>
 
 namespace integral {
 namespace {
@@ -47,6 +48,13 @@ void add_strip(const Raster& raster, bool across, double middle, double length,
                   b = k % 2 ? high : centre;
         layout.squares.push_back(across ? BlackSquare{from, a, to, b}
                                         : BlackSquare{a, from, b, to});
+        const auto middle_of = [&](int first, int second) {
+            const double here = 0.5 * (from + to), there = 0.5 * (first + second);
+            return across ? raster.point(here, there) : raster.point(there, here);
+        };
+        const bool is_low = k % 2 == 0;
+        layout.code.push_back(
+            {middle_of(is_low ? centre : low, is_low ? high : centre), middle_of(a, b), false});
         if (k > 0)
             layout.corners.push_back(across ? raster.point(from, centre)
                                             : raster.point(centre, from));
@@ -106,6 +114,22 @@ void add_group(const CalibrationPage& page, int group, double begin, double leng
         place_band(page, layout, last, wide_height, double(k) * patch, patch, tint);
         layout.bands.push_back(tint);
     }
+}
+
+/// Sets the dots: in a page's heading, numbers of more digits than these are read back with
+/// another last one.
+void set_code(const CalibrationPage& page, CalibrationLayout& layout)
+{
+    const LensSheet& sheet = page.sheet;
+    const Film& film = page.film;
+    std::string text;
+    for (const double number :
+         {sheet.pitch, sheet.thickness, sheet.ior, sheet.slant, page.distance, double(film.width),
+          double(film.height), film.pixel_pitch.x, film.pixel_pitch.y})
+        text += with_digits(number, 6) + " ";
+    const auto sum = crc32(0, reinterpret_cast<const Bytef*>(text.data()), uInt(text.size()));
+    for (std::size_t k = 0; k < layout.code.size(); ++k)
+        layout.code[k].dot = sum >> k % 32 & 1;
 }
 
 void check(const CalibrationPage& page, const ChartDirection& direction)
@@ -168,6 +192,7 @@ CalibrationLayout calibration_layout(const CalibrationPage& page)
         add_strip(raster, true, y, width, layout);
     for (const double x : {middle, width - middle})
         add_strip(raster, false, x, height, layout);
+    set_code(page, layout);
     const double spacing = stack / layout.groups;
     for (int group = 0; group < layout.groups; ++group)
         add_group(page, group, group * spacing, length, direction, layout);

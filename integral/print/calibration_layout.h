@@ -4,8 +4,9 @@
 //
 // Four targets stand in the page's corners, and a strip of squares runs between them, two squares
 // wide. A reader finds the targets at any angle, and the points where four squares meet give it the
-// camera. The sheet is laid on the field inside the strip. The field is divided into groups of
-// bands, which run across the lenses:
+// camera. Dots in white squares are a code for the options that the page was made with. The sheet
+// is laid on the field inside the strip. The field is divided into groups of bands, which run
+// across the lenses:
 // - beat: lines of the pitch at which the lenses image the film, slightly tilted. Each lens shows a
 //   dot of one line, so that the sheet turns the lines' phase against the lenses into brightness:
 //   the tilt makes fringes across the lenses, and their place gives the phase, whatever light and
@@ -61,10 +62,20 @@ struct BlackSquare {
     int left, top, right, bottom;
 };
 
+/// A white square of the strips. The squares with dots are the bits of a checksum of the page's
+/// sheet, film and distance, again and again.
+struct CodeSquare {
+    Vec2 middle, black; ///< middles of the square and of a black one beside it, mm, sheet frame
+    bool dot;           ///< black, of code_dot, in its middle
+};
+
+constexpr double code_dot = 0.7; ///< radius, mm
+
 struct CalibrationLayout {
     /// Top left, top right, bottom right, bottom left.
     std::array<CalibrationTarget, 4> targets;
     std::vector<BlackSquare> squares;
+    std::vector<CodeSquare> code;
     std::vector<Vec2> corners; ///< points where four squares meet, mm in the sheet frame
     std::vector<CalibrationBand> bands;
     int groups = 0;

@@ -108,6 +108,9 @@ ChartPage calibration_page(FrameMetadata geometry, double distance)
         draw_discs(film, target.middle, {target_disc, target_ring, target.dot}, image);
     for (const BlackSquare& square : layout.squares)
         draw_square(square, image);
+    for (const CodeSquare& square : layout.code)
+        if (square.dot)
+            draw_discs(film, square.middle, {code_dot}, image);
     for (const CalibrationBand& band : layout.bands)
         if (band.kind == BandKind::coarse)
             draw_sine(film, band, tint_period(page), image);
