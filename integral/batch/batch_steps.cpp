@@ -24,8 +24,6 @@ namespace {
 constexpr double default_pixels = 800.0 * 600; // the renderer's default size
 constexpr int thumbnail_side = 240;            // pixels
 
-std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
-
 /// Searches PATH for a name without a folder and returns its path; returns other names unchanged.
 std::string found_on_path(const std::string& name)
 {

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -18,6 +19,8 @@
 #include <unistd.h>
 
 namespace integral {
+
+std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 ChildProcess::ChildProcess(const std::vector<std::string>& words, const std::string& folder,
                            const std::string& log)

@@ -21,6 +21,9 @@ struct ChildEnd {
     double processor = 0; ///< seconds of all processors together
 };
 
+/// Path of this program.
+std::string own_program();
+
 /// One running program. The kernel kills it when this program ends, in whatever way.
 class ChildProcess {
 public:

@@ -7,6 +7,7 @@
 #include "integral/base/message_text.h"
 #include "integral/base/number_text.h"
 #include "integral/batch/batch_strips.h"
+#include "integral/batch/child_process.h"
 #include "integral/batch/cluster_queue.h"
 #include "integral/io/markup.h"
 
@@ -101,7 +102,7 @@ private:
     /// `list`: an option, and its value if any, without blanks.
     std::string commands_for(const std::string& list) const
     {
-        const std::string program = std::filesystem::read_symlink("/proc/self/exe");
+        const std::string program = own_program();
         const std::string manifest = std::filesystem::absolute(batch_.manifest.path);
         return "task=$(sed -n \"$((SLURM_ARRAY_TASK_ID + 1))p\" " + for_shell(list) + ")\nexec " +
                for_shell(program) + " batch " + for_shell(manifest) + " --jobs " +

@@ -81,7 +81,8 @@ int run(const StudioOptions& o)
     const std::vector<std::string> words(o.inputs.begin() + 1, o.inputs.end());
     const PlacementSettings first = settings_of(o);
     SceneRenders renders(scene, words, aspect_of(first));
-    Studio studio(scene, first, renders);
+    PanelWindow window;
+    Studio studio(scene, first, renders, window);
     Server server(o.port ? in_range("port", *o.port, 1, 65535) : 0,
                   [&](const ServerRequest& request) { return studio.answer(request); });
     std::printf("the studio is at %s (Ctrl+C ends it)\n", server.address().c_str());
@@ -90,6 +91,7 @@ int run(const StudioOptions& o)
         open_in_browser(server.address());
     server.run([&] {
         renders.work();
+        window.work();
         if (interrupted())
             renders.end();
         return false;

@@ -7,6 +7,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/studio/approval_page.cpp \
   integral/studio/approval_page.h \
   integral/studio/file_stamp.h \
+  integral/studio/panel_window.cpp \
+  integral/studio/panel_window.h \
   integral/studio/placement_settings.cpp \
   integral/studio/placement_settings.h \
   integral/studio/probe.cpp \

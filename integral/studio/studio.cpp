@@ -78,8 +78,9 @@ std::string for_renderer(const std::string& name)
 
 } // namespace
 
-Studio::Studio(const std::string& scene, const PlacementSettings& first, SceneRenders& renders)
-    : scene_(scene), first_(first), renders_(renders)
+Studio::Studio(const std::string& scene, const PlacementSettings& first, SceneRenders& renders,
+               PanelWindow& window)
+    : scene_(scene), first_(first), renders_(renders), window_(window)
 {
 }
 
@@ -116,6 +117,8 @@ std::optional<ServerAnswer> Studio::post(const ServerRequest& request)
         return json_answer(save(settings_from_json(request.body)));
     if (request.path == "/page")
         return json_answer(page(request.body));
+    if (request.path == "/show")
+        return json_answer(show(settings_from_json(request.body)));
     if (request.path == "/print") {
         const PlacementSettings settings = possible_settings(request.body);
         renders_.request_print(settings, print_name(scene_, settings, ".png"));
@@ -172,6 +175,26 @@ std::string Studio::save(const PlacementSettings& settings) const
     text += "+O" + quoted(picture) + "\n";
     write_file(name, text);
     return Json{{"file", name}, {"command", command}}.dump();
+}
+
+/// Shows the print on the panel. Panels are known, or the one that the user named at the start: no
+/// other name becomes a file's.
+std::string Studio::show(const PlacementSettings& settings) const
+{
+    const std::string print = renders_.print();
+    if (print.empty())
+        throw std::invalid_argument("there is no image for the panel yet; render it first");
+    if (!settings.panel)
+        throw std::invalid_argument("a print is not shown on a panel; choose a panel");
+    const std::string& panel = settings.panel->name;
+    if (!panel_named(panel) && !(first_.panel && first_.panel->name == panel))
+        throw std::invalid_argument("panel is none of this page; choose one in its list");
+    const std::string problem = window_.open(print, panel);
+    if (!problem.empty())
+        throw std::invalid_argument(problem);
+    return Json{{"command", "integral lcd " + for_shell(print) + " --panel " + for_shell(panel) +
+                                " --show auto"}}
+        .dump();
 }
 
 /// Writes the print's page. `paper`: its name, or empty.

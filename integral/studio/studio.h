@@ -3,6 +3,7 @@
 #ifndef INTEGRAL_STUDIO_STUDIO_H
 #define INTEGRAL_STUDIO_STUDIO_H
 
+#include "integral/studio/panel_window.h"
 #include "integral/studio/scene_renders.h"
 #include "integral/studio/server.h"
 
@@ -25,13 +26,17 @@ namespace integral {
 /// - POST "/page" with a paper's name (paper_named), or without for a page as large as the picture
 ///   and its marks: writes the print's page as PDF into the working folder; answers
 ///   with `file` and `command`, which does the same.
+/// - POST "/show" with settings of a panel: shows the newest print on it, full screen on the
+/// display
+///   that it is; answers with `command`, which does the same.
 /// Files for a panel are named SCENE-on-panel, others SCENE-on-sheet.
 /// Settings that cannot work are answered by status 400 and a sentence. No path names a file.
 class Studio {
 public:
-    /// `scene`: as given to `renders`, which must outlive this. `first`: the settings to begin
-    /// with; a print of size 0 gets the shape of the scene's picture.
-    Studio(const std::string& scene, const PlacementSettings& first, SceneRenders& renders);
+    /// `scene`: as given to `renders`, which must outlive this, and so must `window`. `first`: the
+    /// settings to begin with; a print of size 0 gets the shape of the scene's picture.
+    Studio(const std::string& scene, const PlacementSettings& first, SceneRenders& renders,
+           PanelWindow& window);
 
     /// May be called by several threads at once.
     std::optional<ServerAnswer> answer(const ServerRequest& request);
@@ -42,10 +47,12 @@ private:
     std::string figures(const std::string& settings) const;
     std::string save(const PlacementSettings& settings) const;
     std::string page(const std::string& paper) const;
+    std::string show(const PlacementSettings& settings) const;
 
     const std::string scene_;
     const PlacementSettings first_;
     SceneRenders& renders_;
+    PanelWindow& window_;
 };
 
 /// The studio's page for a scene of that name. `first`: the first settings, whose sheet or panel is

@@ -97,13 +97,15 @@ function product() { return state.sheet?.panel ? "panel's image" : "print"; }
 function show_print_button() {
   element("print").textContent = (scene.printing ? "Stop rendering the " : "Render the ") + product();
   element("print").setAttribute("aria-pressed", String(Boolean(scene.printing)));
-  element("page-row").hidden = !scene.print || scene.printing || Boolean(state.sheet?.panel);
+  const nothing = !scene.print || scene.printing;
+  element("page-row").hidden = nothing || Boolean(state.sheet?.panel);
+  element("show-row").hidden = nothing || !state.sheet?.panel;
 }
 
 function say_printed() {
   const file = scene.print_word;
   element("saved").textContent = `${scene.print} is there. See it: integral replay ${file} -o view.png. ` +
-    (state.sheet?.panel ? `Show it on the panel: integral lcd ${file} --panel ${state.sheet.word} --show auto` : "Make a page of it, to print at its own size.");
+    (state.sheet?.panel ? "Show it on the panel if that is connected." : "Make a page of it, to print at its own size.");
 }
 
 function show_eye() {
@@ -233,6 +235,14 @@ function on_controls() {
     try {
       const { file, command } = await post("/page", element("paper").value);
       element("saved").textContent = `${file} is there. Print it at 100 % of its size. The command: ${command}`;
+    } catch (error) {
+      say_problem(error.message);
+    }
+  });
+  element("show").addEventListener("click", async () => {
+    try {
+      const { command } = await post("/show", settings());
+      element("saved").textContent = `The panel shows it; Escape there ends that. The command: ${command}`;
     } catch (error) {
       say_problem(error.message);
     }
