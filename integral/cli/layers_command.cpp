@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral layers: flat pictures behind and in front of the sheet, as one frame.
-#include "integral/cli/geometry_options.h"
+#include "integral/base/number_text.h"
 #include "integral/cli/fit_options.h"
+#include "integral/cli/geometry_options.h"
 #include "integral/cli/progress.h"
 #include "integral/cli/thread_options.h"
 #include "integral/io/image_file.h"
@@ -83,18 +84,14 @@ void read_layer_word(const std::string& word, const std::string& given, PictureL
                          layer_form + " is expected");
 }
 
-/// Reads PICTURE@DISTANCE,...; the picture's name ends at the last @. Several distances are of the
-/// pictures of one file, a layer each. Throws UsageError.
-std::vector<PictureLayer> layers_of(const std::string& given)
+/// Reads DISTANCE[,DISTANCE...][,WORD...] into `layers`, which are as `layer` otherwise. `given`:
+/// what messages quote. Throws UsageError.
+std::vector<PictureLayer> layers_at(const std::string& words, const std::string& given,
+                                    PictureLayer layer)
 {
-    const auto at = given.rfind('@');
-    if (at == std::string::npos)
-        throw UsageError(given + ": it has no distance; " + layer_form + " is expected");
-    PictureLayer layer;
-    layer.path = given.substr(0, at);
     std::vector<double> distances;
     bool has_words = false;
-    for (const std::string& word : parts_between_commas(given.substr(at + 1))) {
+    for (const std::string& word : parts_between_commas(words)) {
         const auto value = number_in(word);
         if (has_words || (!value && !distances.empty())) {
             has_words = true;
@@ -109,13 +106,78 @@ std::vector<PictureLayer> layers_of(const std::string& given)
         distances.push_back(*value);
     }
     std::vector<PictureLayer> layers(distances.size(), layer);
-    for (std::size_t k = 0; k < layers.size(); ++k) {
+    for (std::size_t k = 0; k < layers.size(); ++k)
         layers[k].distance = distances[k];
-        if (layers.size() > 1) {
-            layers[k].picture = int(k);
-            layers[k].pictures = int(layers.size());
-        }
+    return layers;
+}
+
+/// Makes the layers those of the pictures of one file.
+void number_pictures(std::vector<PictureLayer>& layers)
+{
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+        layers[k].picture = int(k);
+        layers[k].pictures = int(layers.size());
     }
+}
+
+bool is_layered(const std::string& path) { return extension_of(path) == "ora"; }
+
+/// The layers of a painting program's file whose names end in @DISTANCE[,WORD...].
+std::vector<PictureLayer> layers_by_name(const std::string& path)
+{
+    const std::vector<std::string> names = names_of_layers(path);
+    std::vector<PictureLayer> layers;
+    for (const std::string& name : names) {
+        const auto at = name.rfind('@');
+        if (at == std::string::npos)
+            throw UsageError(path + ": its layer \"" + name +
+                             "\" has no distance; rename it NAME@DISTANCE, or give the distances "
+                             "of all " +
+                             std::to_string(names.size()) + " layers, the lowest first: " + path +
+                             "@DISTANCE,...");
+        PictureLayer layer;
+        layer.path = path;
+        layer.name = name.substr(0, at);
+        const auto read = layers_at(name.substr(at + 1), path + ": its layer \"" + name + "\"",
+                                    layer);
+        if (read.size() != 1)
+            throw UsageError(path + ": its layer \"" + name + "\" has " +
+                             std::to_string(read.size()) + " distances; give it one");
+        layers.push_back(read[0]);
+    }
+    number_pictures(layers);
+    return layers;
+}
+
+/// Names the layers of a painting program's file, all of which must have distances.
+void name_layers(std::vector<PictureLayer>& layers)
+{
+    const std::string& path = layers.at(0).path;
+    const std::vector<std::string> names = names_of_layers(path);
+    if (names.size() != layers.size())
+        throw UsageError(path + ": it has " + counted(std::ptrdiff_t(names.size()), "layer") +
+                         "; give as many distances, the lowest layer's first");
+    for (std::size_t k = 0; k < layers.size(); ++k)
+        layers[k].name = names[k];
+    number_pictures(layers);
+}
+
+/// Reads PICTURE@DISTANCE,...; the picture's name ends at the last @. Several distances are of the
+/// pictures of one file, a layer each. Throws UsageError.
+std::vector<PictureLayer> layers_of(const std::string& given)
+{
+    if (is_layered(given))
+        return layers_by_name(given);
+    const auto at = given.rfind('@');
+    if (at == std::string::npos)
+        throw UsageError(given + ": it has no distance; " + layer_form + " is expected");
+    PictureLayer layer;
+    layer.path = given.substr(0, at);
+    std::vector<PictureLayer> layers = layers_at(given.substr(at + 1), given, layer);
+    if (is_layered(layer.path))
+        name_layers(layers);
+    else if (layers.size() > 1)
+        number_pictures(layers);
     return layers;
 }
 
@@ -155,7 +217,7 @@ int run(const LayersOptions& o)
 const Command layers_command = {
     "layers",
     "flat pictures at distances behind and in front of the sheet, as one frame",
-    "PICTURE@DISTANCE... -o FRAME [--print WxH] [--lpi N] [--depth FILE.exr] ...",
+    "PICTURE@DISTANCE...|ART.ora -o FRAME [--print WxH] [--lpi N] [--depth FILE.exr] ...",
     R"(Makes a frame from flat pictures, each at its own DISTANCE: mm behind the sheet, or in
 front of it if less than 0, as depth frames have it.
 Transparent pictures show what is behind them. For the eye in the middle all layers lie on
@@ -166,6 +228,9 @@ another size, and its middle another place right of and above the film's middle.
 lengths, too, are measured on the sheet as the eye in the middle sees them. turn=DEGREES and
 tilt=DEGREES let a layer's right side and its upper side go back from its middle, as a wall or
 a floor. The last @ ends the picture's name.
+
+A painting program's layers come as an OpenRaster file, ART.ora, whose layers' names end in
+@DISTANCE[,width=MM...], or as ART.ora@DISTANCE,..., with the lowest layer's distance first.
 
 Prints for each layer how large it is at its distance, how far it moves while the eye crosses
 the viewing zone, and whether the sheet and film show that depth sharply.

@@ -3,6 +3,7 @@
 
 #include "integral/base/memory.h"
 #include "integral/io/mpo_file.h"
+#include "integral/io/open_raster.h"
 
 #include <algorithm>
 #include <sstream>
@@ -56,14 +57,17 @@ std::unique_ptr<RowReader> read_stored(const InputFile& file, const std::string&
         return read_jpeg(file);
     if (is_tiff(file))
         return read_tiff(file);
+    if (is_open_raster(file))
+        return OpenRaster(file).merged();
     if (magic.empty())
         throw std::runtime_error("it is empty");
     const std::string extension = extension_of(path);
-    for (const char* known : {"png", "exr", "tif", "tiff", "jpg", "jpeg", "mpo"})
+    for (const char* known : {"png", "exr", "tif", "tiff", "jpg", "jpeg", "mpo", "ora"})
         if (extension == known)
-            throw std::runtime_error("it is broken: its name ends in ." + extension +
-                                     ", but it begins as no PNG, OpenEXR, TIFF or JPEG does");
-    throw std::runtime_error("it is no PNG, OpenEXR, TIFF or JPEG; convert it first");
+            throw std::runtime_error(
+                "it is broken: its name ends in ." + extension +
+                ", but it begins as no PNG, OpenEXR, TIFF, JPEG or OpenRaster does");
+    throw std::runtime_error("it is no PNG, OpenEXR, TIFF, JPEG or OpenRaster; convert it first");
 }
 
 using OpenView = std::function<std::unique_ptr<RowReader>()>;
@@ -101,6 +105,15 @@ std::vector<OpenView> views_of_mpo(const InputFile& file)
     return views;
 }
 
+std::vector<OpenView> layers_of_open_raster(const InputFile& file)
+{
+    const auto raster = std::make_shared<OpenRaster>(file);
+    std::vector<OpenView> layers;
+    for (std::size_t k = 0; k < raster->names().size(); ++k)
+        layers.push_back([raster, k] { return raster->layer(k); });
+    return layers;
+}
+
 std::vector<OpenView> views_of(const InputFile& file)
 {
     if (is_exr(file))
@@ -109,6 +122,8 @@ std::vector<OpenView> views_of(const InputFile& file)
         return views_of_tiff(file);
     if (is_jpeg(file))
         return views_of_mpo(file);
+    if (is_open_raster(file))
+        return layers_of_open_raster(file);
     return {[&file] { return read_stored(file, ""); }};
 }
 

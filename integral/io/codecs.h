@@ -93,9 +93,10 @@ std::vector<int> picture_directories_of_tiff(const InputFile& file);
 std::unique_ptr<RowReader> read_any(const InputFile& file, const std::string& path = "");
 
 /// Reads all views of an MPO or a multi-view OpenEXR, the leftmost first, or all pictures of a
-/// TIFF, but at most `most` of them; any other file gives one picture. `take_notices` gets the
-/// readers' notices. Throws std::runtime_error if a picture cannot be read, or, before any pixel is
-/// read, if all pictures together need more memory than is free.
+/// TIFF, or all layers of an OpenRaster file, the lowest first, but at most `most` of them; any
+/// other file gives one picture. `take_notices` gets the readers' notices. Throws
+/// std::runtime_error if a picture cannot be read, or, before any pixel is read, if all pictures
+/// together need more memory than is free.
 std::vector<Image> read_list_of_views(const InputFile& file,
                                       const std::function<void(RowReader&)>& take_notices,
                                       std::size_t most = SIZE_MAX);

@@ -4,6 +4,7 @@
 #include "integral/base/memory.h"
 #include "integral/base/notices.h"
 #include "integral/io/codecs.h"
+#include "integral/io/open_raster.h"
 
 #include <algorithm>
 #include <new>
@@ -239,6 +240,16 @@ std::vector<Image> read_list_of_views(const std::string& path, std::size_t most)
     return guarded(path, [&] {
         return read_list_of_views(
             file, [&](RowReader& rows) { pass_notices(path, rows); }, most);
+    });
+}
+
+std::vector<std::string> names_of_layers(const std::string& path)
+{
+    const InputFile file(path);
+    return guarded(path, [&]() -> std::vector<std::string> {
+        if (!is_open_raster(file))
+            return {};
+        return OpenRaster(file).names();
     });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Reads frames and pictures (PNG, OpenEXR, TIFF, JPEG) and writes them, with their metadata, as PNG
-// (8 or 16 bit), OpenEXR or TIFF.
+// Reads frames and pictures (PNG, OpenEXR, TIFF, JPEG, OpenRaster) and writes them, with their
+// metadata, as PNG (8 or 16 bit), OpenEXR or TIFF.
 #ifndef INTEGRAL_IO_IMAGE_FILE_H
 #define INTEGRAL_IO_IMAGE_FILE_H
 
@@ -101,9 +101,14 @@ bool is_mpo(const std::string& path);
 /// stereo or multi-view OpenEXR. Throws InputError if an OpenEXR cannot be read.
 bool is_list_of_views(const std::string& path);
 
-/// Reads all views of a file, the leftmost first, or all pictures of a TIFF, but at most `most`;
-/// other files give one picture. Throws InputError.
+/// Reads all views of a file, the leftmost first, or all pictures of a TIFF, or all layers of an
+/// OpenRaster file, the lowest first, but at most `most`; other files give one picture. Throws
+/// InputError.
 std::vector<Image> read_list_of_views(const std::string& path, std::size_t most = SIZE_MAX);
+
+/// Names of the visible layers of an OpenRaster file (.ora), the lowest first; empty for other
+/// files. Throws InputError.
+std::vector<std::string> names_of_layers(const std::string& path);
 
 /// Width and height of a picture, without reading its pixels. Throws InputError.
 std::pair<int, int> picture_size(const std::string& path);

@@ -33,11 +33,15 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/jpeg_writer.cpp \
   integral/io/junit_xml.cpp \
   integral/io/junit_xml.h \
+  integral/io/layer_stack.cpp \
+  integral/io/layer_stack.h \
   integral/io/lcms_profile.h \
   integral/io/markup.cpp \
   integral/io/markup.h \
   integral/io/mpo_file.cpp \
   integral/io/mpo_file.h \
+  integral/io/open_raster.cpp \
+  integral/io/open_raster.h \
   integral/io/packed_bits.h \
   integral/io/pdf_file.cpp \
   integral/io/pdf_file.h \

@@ -20,6 +20,8 @@ namespace {
 
 std::string name_of(const PictureLayer& layer)
 {
+    if (!layer.name.empty())
+        return layer.path + " " + layer.name;
     return layer.path + (layer.picture ? " " + std::to_string(*layer.picture + 1) : "");
 }
 

@@ -21,6 +21,7 @@ constexpr double max_layer_distance = 1e6; // mm behind the sheet
 /// in the middle sees them there, so that another distance does not change the picture from there.
 struct PictureLayer {
     std::string path;
+    std::string name = "";      ///< that a painting program gave it; may be empty
     std::optional<int> picture; ///< index of the picture in a file of several; else the first
     int pictures = 0;           ///< number of pictures of that file that have layers
     double distance = 0; ///< mm behind the sheet, as depth frames have it; negative: in front
