@@ -329,6 +329,19 @@ std::vector<Bytes> mesh_seeds()
                        "mtllib none.mtl\nv 1 2 3\np 1\n"});
 }
 
+std::vector<Bytes> layer_stack_seeds()
+{
+    Bytes deep = "<image w='3' h='2'>";
+    for (int k = 0; k < 500; ++k)
+        deep += "<stack>";
+    return and_halves(
+        {R"(<?xml version="1.0" encoding="UTF-8"?><image version="0.0.5" w="60" h="40"><stack>)"
+         R"(<layer name="logo@-2" src="data/0.png" x="-4" y="34" opacity="0.25" visibility="hidden"/>)"
+         R"(<stack name="g&amp;h" composite-op="svg:multiply"><layer src="data/1.png"/></stack></stack></image>)",
+         deep,
+         "<!DOCTYPE image [<!ENTITY a 'aaaa'><!ENTITY b '&a;&a;&a;&a;'>]><image>&b;</image>"});
+}
+
 std::vector<Bytes> response_seeds()
 {
     return and_halves({"# grey, mm\n0, 0\n0.5, 0.02\n1, 0.1\n", "0 0.01\n1 0.3\n"});

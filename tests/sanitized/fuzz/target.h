@@ -39,7 +39,7 @@ std::string scratch_path(const std::string& name);
 std::vector<Bytes> png_seeds(), exr_seeds(), tiff_seeds(), jpeg_seeds(), depth_seeds(),
     sheet_seeds(), profile_seeds(), command_seeds();
 std::vector<Bytes> panel_seeds(), tolerance_seeds(), manifest_seeds(), float_map_seeds(),
-    mesh_seeds(), response_seeds();
+    mesh_seeds(), layer_stack_seeds(), response_seeds();
 
 /// Changes a PNG chunk by chunk and gives each its length and checksum again (png_mutation.cpp).
 Bytes mutated_png(Bytes png, std::size_t most, unsigned seed);

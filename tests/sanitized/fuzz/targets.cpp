@@ -7,6 +7,7 @@
 #include "integral/compare/compare.h"
 #include "integral/compare/tolerances.h"
 #include "integral/io/image_file.h"
+#include "integral/io/layer_stack.h"
 #include "integral/io/pfm_file.h"
 #include "integral/laboratory/response.h"
 #include "integral/panel/panel.h"
@@ -138,6 +139,16 @@ void read_mesh(const Bytes& bytes)
         std::for_each(triangle.vertex.begin(), triangle.vertex.end(), check);
 }
 
+/// The list of layers in an OpenRaster file.
+void read_layer_stack(const Bytes& bytes)
+{
+    try {
+        layer_stack_of(bytes);
+    } catch (const std::runtime_error& error) { // the command adds the file's name
+        throw InputError(error.what());
+    }
+}
+
 void read_responses(const Bytes& bytes) { response_text(read_response(file_of(bytes))); }
 
 void read_profile(const Bytes& bytes)
@@ -247,6 +258,9 @@ const std::vector<Bytes> panel_words = {"\"panel\":",
                                         "0",
                                         "-1",
                                         "1e9"};
+const std::vector<Bytes> layer_stack_words = {"<image w='1' h='1'>", "<stack>",   "</stack>",
+                                              "<layer src='a'/>",    " name='a'", " x='-1'",
+                                              " opacity='.5'",       "&amp;",     "<!--"};
 const std::vector<Bytes> suite_words = {"\"defaults\":",
                                         "\"files\":",
                                         "\"max_rmse\":",
@@ -343,6 +357,7 @@ const std::vector<Target> targets = {
     {"profile", read_profile, profile_seeds, profile_words},
     {"floats", read_float_map, float_map_seeds, {}},
     {"mesh", read_mesh, mesh_seeds, mesh_words},
+    {"layers", read_layer_stack, layer_stack_seeds, layer_stack_words},
     {"response", read_responses, response_seeds, {}},
     {"commands", run_command, command_seeds, {}},
 };
