@@ -4,8 +4,8 @@
 // interpolation between views and pixels.
 #include "integral/panel/interlace.h"
 #include "integral/panel/interlace_rows.h"
-#include "integral/panel/panel.h"
-#include "integral/panel/panel_quilt.h"
+#include "integral/sheet/panel.h"
+#include "integral/sheet/panel_quilt.h"
 
 #include <cstdio>
 #include <vector>

@@ -9,7 +9,7 @@
 #include "integral/depth/depth_quality.h"
 #include "integral/io/image_file.h"
 #include "integral/panel/interlace.h"
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 #include "integral/replay/replay.h"
 #include "integral/views/view_input.h"
 

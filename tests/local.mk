@@ -127,10 +127,7 @@ unit_sources = \
   tests/unit/optics_surface.cpp \
   tests/unit/optics_symmetries.cpp \
   tests/unit/optics_visual_pitch.cpp \
-  tests/unit/panel_cubevi.cpp \
   tests/unit/panel_interlace.cpp \
-  tests/unit/panel_looking_glass.cpp \
-  tests/unit/panel_panels.cpp \
   tests/unit/picture_bytes.h \
   tests/unit/picture_files.h \
   tests/unit/pixel_origins.h \
@@ -166,8 +163,11 @@ unit_sources = \
   tests/unit/sampling_sample_points.cpp \
   tests/unit/sampling_sample_spread.cpp \
   tests/unit/screen_displays.cpp \
+  tests/unit/sheet_cubevi.cpp \
   tests/unit/sheet_figures.cpp \
   tests/unit/sheet_known_sheets.cpp \
+  tests/unit/sheet_looking_glass.cpp \
+  tests/unit/sheet_panels.cpp \
   tests/unit/sheet_sampling_forecast.cpp \
   tests/unit/sheet_scene_fit.cpp \
   tests/unit/sheet_zone_shares.cpp \

@@ -7,7 +7,7 @@
 #include "integral/io/video.h"
 #include "integral/panel/panel_files.h"
 #include "integral/panel/panel_page.h"
-#include "integral/panel/panel_text.h"
+#include "integral/sheet/panel_text.h"
 #include "integral/screen/screen_text.h"
 
 #include <chrono>

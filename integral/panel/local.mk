@@ -2,19 +2,12 @@
 # Sources of integral/panel: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
-  integral/panel/cubevi.cpp \
-  integral/panel/cubevi.h \
   integral/panel/interlace.cpp \
   integral/panel/interlace.h \
   integral/panel/interlace_avx2.cpp \
   integral/panel/interlace_avx2.h \
   integral/panel/interlace_rows.cpp \
   integral/panel/interlace_rows.h \
-  integral/panel/known_panels.cpp \
-  integral/panel/looking_glass.cpp \
-  integral/panel/looking_glass.h \
-  integral/panel/panel.cpp \
-  integral/panel/panel.h \
   integral/panel/panel_cards.cpp \
   integral/panel/panel_cards.h \
   integral/panel/panel_files.cpp \
@@ -24,11 +17,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/panel/panel_mapping.cpp \
   integral/panel/panel_mapping.h \
   integral/panel/panel_page.cpp \
-  integral/panel/panel_page.h \
-  integral/panel/panel_quilt.cpp \
-  integral/panel/panel_quilt.h \
-  integral/panel/panel_text.cpp \
-  integral/panel/panel_text.h
+  integral/panel/panel_page.h
 
 # The page's own files.
 page_files += \

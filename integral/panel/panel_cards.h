@@ -4,7 +4,7 @@
 #define INTEGRAL_PANEL_PANEL_CARDS_H
 
 #include "integral/frame/image.h"
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 
 #include <optional>
 #include <vector>

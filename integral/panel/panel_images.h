@@ -6,7 +6,7 @@
 #include "integral/base/parallel.h"
 #include "integral/frame/frame.h"
 #include "integral/panel/interlace.h"
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 #include "integral/views/view_input.h"
 
 #include <functional>

@@ -8,7 +8,7 @@
 #include "integral/frame/frame_metadata.h"
 #include "integral/frame/picture_fit.h"
 #include "integral/frame/view_grid.h"
-#include "integral/panel/looking_glass.h"
+#include "integral/sheet/looking_glass.h"
 
 #include <array>
 #include <cstdint>

@@ -4,10 +4,21 @@
 build_lib_libintegral_a_SOURCES += \
   integral/sheet/camera_words.cpp \
   integral/sheet/camera_words.h \
+  integral/sheet/cubevi.cpp \
+  integral/sheet/cubevi.h \
   integral/sheet/depth_advice.cpp \
   integral/sheet/depth_advice.h \
+  integral/sheet/known_panels.cpp \
   integral/sheet/known_sheets.cpp \
   integral/sheet/known_sheets.h \
+  integral/sheet/looking_glass.cpp \
+  integral/sheet/looking_glass.h \
+  integral/sheet/panel.cpp \
+  integral/sheet/panel.h \
+  integral/sheet/panel_quilt.cpp \
+  integral/sheet/panel_quilt.h \
+  integral/sheet/panel_text.cpp \
+  integral/sheet/panel_text.h \
   integral/sheet/sampling_forecast.cpp \
   integral/sheet/sampling_forecast.h \
   integral/sheet/scene_depth_report.cpp \

@@ -5,7 +5,7 @@
 #define INTEGRAL_STUDIO_PLACEMENT_SETTINGS_H
 
 #include "integral/frame/depth_range.h"
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 #include "integral/sheet/scene_fit.h"
 
 #include <nlohmann/json_fwd.hpp>

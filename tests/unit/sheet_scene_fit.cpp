@@ -20,8 +20,8 @@ struct Random {
     std::mt19937_64 bits{5};
     double about(double low, double high)
     {
-        return std::exp(std::uniform_real_distribution<double>(std::log(low),
-                                                               std::log(high))(bits));
+        return std::exp(
+            std::uniform_real_distribution<double>(std::log(low), std::log(high))(bits));
     }
 };
 

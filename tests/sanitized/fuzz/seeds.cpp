@@ -7,7 +7,7 @@
 #include "integral/base/json_fields.h"
 #include "integral/io/codecs.h"
 #include "integral/io/mpo_file.h"
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 #include "integral/print/colour_profile.h"
 
 #include <ImfChannelList.h>

@@ -10,7 +10,7 @@
 #include "integral/io/layer_stack.h"
 #include "integral/io/pfm_file.h"
 #include "integral/laboratory/response.h"
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 #include "integral/print/colour_profile.h"
 #include "integral/replay/replay.h"
 #include "integral/sheet/camera_words.h"

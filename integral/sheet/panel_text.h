@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Lists the known panels, and writes the settings that render for a panel.
-#ifndef INTEGRAL_PANEL_PANEL_TEXT_H
-#define INTEGRAL_PANEL_PANEL_TEXT_H
+#ifndef INTEGRAL_SHEET_PANEL_TEXT_H
+#define INTEGRAL_SHEET_PANEL_TEXT_H
 
 #include "integral/base/json.h"
-#include "integral/panel/panel.h"
-#include "integral/panel/panel_quilt.h"
+#include "integral/sheet/panel.h"
+#include "integral/sheet/panel_quilt.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests calibration files, with every field in every form, and compares the mapping with the
 // published formula in single precision.
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 
 #include "tests/unit/looking_glass_devices.h"
 
@@ -14,7 +14,7 @@
 using namespace integral;
 using namespace looking_glass_devices;
 
-BOOST_AUTO_TEST_SUITE(panel_looking_glass)
+BOOST_AUTO_TEST_SUITE(sheet_looking_glass)
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Tests panels: their descriptions, and that our optics and the maker's mapping send the subpixels
 // of a display to the same views.
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 
 #include "integral/frame/geometry_json.h"
 #include "integral/optics/lens_mapping.h"
@@ -19,7 +19,7 @@
 using namespace integral;
 using namespace looking_glass_devices;
 
-BOOST_AUTO_TEST_SUITE(panel_panels)
+BOOST_AUTO_TEST_SUITE(sheet_panels)
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 
 namespace integral {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/panel/panel_text.h"
+#include "integral/sheet/panel_text.h"
 
 #include "integral/base/json.h"
 #include "integral/base/number_text.h"

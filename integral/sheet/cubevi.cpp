@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/panel/cubevi.h"
+#include "integral/sheet/cubevi.h"
 
 #include "integral/base/json_fields.h"
 #include "integral/base/number_text.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/panel/looking_glass.h"
+#include "integral/sheet/looking_glass.h"
 
 #include "integral/base/number_text.h"
 #include "integral/frame/geometry_json.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/panel/panel_quilt.h"
+#include "integral/sheet/panel_quilt.h"
 
 #include <algorithm>
 #include <cmath>

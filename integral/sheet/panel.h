@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Describes light-field panels: a display's pixels and the lens sheet on them.
-#ifndef INTEGRAL_PANEL_PANEL_H
-#define INTEGRAL_PANEL_PANEL_H
+#ifndef INTEGRAL_SHEET_PANEL_H
+#define INTEGRAL_SHEET_PANEL_H
 
 #include "integral/frame/frame_metadata.h"
-#include "integral/panel/looking_glass.h"
+#include "integral/sheet/looking_glass.h"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // CubeVi's calibrations: files, and the mapping of every subpixel against the published formula.
-#include "integral/panel/cubevi.h"
+#include "integral/sheet/cubevi.h"
 #include "integral/panel/interlace.h"
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -11,7 +11,7 @@
 
 using namespace integral;
 
-BOOST_AUTO_TEST_SUITE(panel_cubevi)
+BOOST_AUTO_TEST_SUITE(sheet_cubevi)
 
 namespace {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Reads calibrations of CubeVi's light-field displays (C1), whose software is Cubestage or
 // OpenStageAI.
-#ifndef INTEGRAL_PANEL_CUBEVI_H
-#define INTEGRAL_PANEL_CUBEVI_H
+#ifndef INTEGRAL_SHEET_CUBEVI_H
+#define INTEGRAL_SHEET_CUBEVI_H
 
-#include "integral/panel/looking_glass.h"
+#include "integral/sheet/looking_glass.h"
 
 #include <optional>
 #include <string>

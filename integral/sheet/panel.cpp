@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 
 #include "integral/base/constants.h"
 #include "integral/base/file_bytes.h"
 #include "integral/base/number_text.h"
 #include "integral/frame/geometry_json.h"
-#include "integral/panel/cubevi.h"
+#include "integral/sheet/cubevi.h"
 
 #include <cmath>
 #include <stdexcept>

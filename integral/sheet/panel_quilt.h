@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Chooses the quilt that a panel is given: how many views, and how many pixels.
-#ifndef INTEGRAL_PANEL_PANEL_QUILT_H
-#define INTEGRAL_PANEL_PANEL_QUILT_H
+#ifndef INTEGRAL_SHEET_PANEL_QUILT_H
+#define INTEGRAL_SHEET_PANEL_QUILT_H
 
 #include "integral/frame/view_grid.h"
-#include "integral/panel/panel.h"
+#include "integral/sheet/panel.h"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Reads calibration files of Looking Glass displays, and computes the published mapping from a
 // subpixel to a view.
-#ifndef INTEGRAL_PANEL_LOOKING_GLASS_H
-#define INTEGRAL_PANEL_LOOKING_GLASS_H
+#ifndef INTEGRAL_SHEET_LOOKING_GLASS_H
+#define INTEGRAL_SHEET_LOOKING_GLASS_H
 
 #include "integral/base/json.h"
 #include "integral/optics/subpixels.h"
