@@ -167,6 +167,7 @@ unit_sources = \
   tests/unit/sheet_figures.cpp \
   tests/unit/sheet_known_sheets.cpp \
   tests/unit/sheet_looking_glass.cpp \
+  tests/unit/sheet_panel_quilt.cpp \
   tests/unit/sheet_panels.cpp \
   tests/unit/sheet_sampling_forecast.cpp \
   tests/unit/sheet_scene_fit.cpp \

@@ -7,6 +7,7 @@
 #include "integral/io/video.h"
 #include "integral/panel/panel_files.h"
 #include "integral/panel/panel_page.h"
+#include "integral/sheet/panel_render.h"
 #include "integral/sheet/panel_text.h"
 #include "integral/screen/screen_text.h"
 
@@ -93,9 +94,10 @@ void use_panel(const LcdOptions& o, const LcdRequest& lcd)
         return print_result(o.output, to_json(panel));
     if (o.camera)
         return print_result(
-            o.output, render_settings(panel, o.quilt || o.views
-                                                 ? std::optional(quilt_for(panel, lcd.image.views))
-                                                 : std::nullopt));
+            o.output,
+            ini_text(panel_render(panel, o.quilt || o.views
+                                             ? std::optional(quilt_for(panel, lcd.image.views))
+                                             : std::nullopt)));
     make_images(o, lcd, panel);
 }
 

@@ -17,6 +17,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/sheet/panel.h \
   integral/sheet/panel_quilt.cpp \
   integral/sheet/panel_quilt.h \
+  integral/sheet/panel_render.cpp \
+  integral/sheet/panel_render.h \
   integral/sheet/panel_text.cpp \
   integral/sheet/panel_text.h \
   integral/sheet/sampling_forecast.cpp \

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace integral {
 
@@ -17,16 +18,56 @@ bool have_same_pixels(const Panel& a, const Panel& b)
            std::fabs(a.film.pixel_pitch.x / b.film.pixel_pitch.x - 1) < 0.05;
 }
 
-const RecommendedQuilt* recommended_for(const Panel& panel)
+/// Whether a recommended quilt is meant for a panel: by its name or, as `by_name` is false, by its
+/// pixels.
+bool is_for(const RecommendedQuilt& one, const Panel& panel, bool by_name)
+{
+    return by_name ? one.panel == panel.name : have_same_pixels(panel, *panel_named(one.panel));
+}
+
+/// The newest recommended quilt of a panel; with `tiles`, the one of that grid. Null if there is
+/// none.
+const RecommendedQuilt* recommended_for(const Panel& panel, const std::optional<ViewGrid>& tiles)
 {
     const auto& all = recommended_quilts();
-    auto found = std::find_if(all.begin(), all.end(),
-                              [&](const RecommendedQuilt& one) { return one.panel == panel.name; });
-    if (found == all.end())
-        found = std::find_if(all.begin(), all.end(), [&](const RecommendedQuilt& one) {
-            return have_same_pixels(panel, *panel_named(one.panel));
+    for (const bool by_name : {true, false}) {
+        const auto match = std::find_if(all.begin(), all.end(), [&](const RecommendedQuilt& one) {
+            return is_for(one, panel, by_name) &&
+                   (!tiles || (tiles->columns == one.quilt.tiles.columns &&
+                               tiles->rows == one.quilt.tiles.rows));
         });
-    return found == all.end() ? nullptr : &*found;
+        if (match != all.end())
+            return &*match;
+    }
+    return nullptr;
+}
+
+/// The quilt with `parts` times fewer pixels across and down.
+PanelQuilt reduced(PanelQuilt quilt, int parts)
+{
+    if (parts == 1)
+        return quilt;
+    const auto side = [&](int pixels, int tiles) {
+        return tiles * std::max(1, int(std::lround(double(pixels / tiles) / parts)));
+    };
+    return {quilt.tiles, side(quilt.width, quilt.tiles.columns),
+            side(quilt.height, quilt.tiles.rows)};
+}
+
+/// A quilt of tiles of the panel's shape.
+PanelQuilt quilt_of_tiles(const Panel& panel, ViewGrid grid)
+{
+    const Vec2 size = size_of(panel.film);
+    const double pixels = 1.5 * 3 * panel.film.width * panel.film.height,
+                 height = std::sqrt(pixels / grid.count() * size.y / size.x),
+                 width = height * size.x / size.y,
+                 fits = std::min(
+                     {1.0, most_side / (width * grid.columns), most_side / (height * grid.rows)});
+    const auto whole = [&](double side, int number) {
+        return number *
+               std::clamp(int(std::lround(fits * side)), 1, std::max(1, most_side / number));
+    };
+    return {grid, whole(width, grid.columns), whole(height, grid.rows)};
 }
 
 } // namespace
@@ -48,24 +89,36 @@ const std::vector<RecommendedQuilt>& recommended_quilts()
     return all;
 }
 
-PanelQuilt quilt_for(const Panel& panel, const std::optional<ViewGrid>& tiles)
+std::optional<QuiltSize> quilt_size(const std::string& name)
 {
-    const RecommendedQuilt* recommended = recommended_for(panel);
-    if (recommended && (!tiles || (tiles->columns == recommended->quilt.tiles.columns &&
-                                   tiles->rows == recommended->quilt.tiles.rows)))
-        return recommended->quilt;
-    const ViewGrid grid = tiles.value_or(ViewGrid{8, 6});
-    const Vec2 size = size_of(panel.film);
-    const double pixels = 1.5 * 3 * panel.film.width * panel.film.height,
-                 height = std::sqrt(pixels / grid.count() * size.y / size.x),
-                 width = height * size.x / size.y,
-                 fits = std::min(
-                     {1.0, most_side / (width * grid.columns), most_side / (height * grid.rows)});
-    const auto whole = [&](double side, int number) {
-        return number *
-               std::clamp(int(std::lround(fits * side)), 1, std::max(1, most_side / number));
-    };
-    return {grid, whole(width, grid.columns), whole(height, grid.rows)};
+    if (name == "draft")
+        return QuiltSize::draft;
+    if (name == "good")
+        return QuiltSize::good;
+    if (name == "best")
+        return QuiltSize::best;
+    return std::nullopt;
+}
+
+std::optional<ViewGrid> views_in(const std::string& text)
+{
+    ViewGrid grid;
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%4dx%4d%n", &grid.columns, &grid.rows, &end) != 2 ||
+        end != int(text.size()) || grid.columns < 1 || grid.rows < 1 ||
+        std::max(grid.columns, grid.rows) > most_views_of_quilt)
+        return std::nullopt;
+    return grid;
+}
+
+PanelQuilt quilt_for(const Panel& panel, const std::optional<ViewGrid>& tiles, QuiltSize size)
+{
+    const RecommendedQuilt* recommended = recommended_for(panel, tiles);
+    return reduced(recommended ? recommended->quilt
+                               : quilt_of_tiles(panel, tiles.value_or(ViewGrid{8, 6})),
+                   size == QuiltSize::draft  ? 4
+                   : size == QuiltSize::good ? 2
+                                             : 1);
 }
 
 } // namespace integral

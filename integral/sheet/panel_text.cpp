@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/sheet/panel_text.h"
 
-#include "integral/base/json.h"
 #include "integral/base/number_text.h"
-#include "integral/sheet/camera_words.h"
-#include "integral/sheet/sheet_report.h"
+#include "integral/sheet/panel.h"
 
-#include <algorithm>
 #include <cstdio>
 
 namespace integral {
@@ -40,33 +37,6 @@ std::string panels_text()
         text += line;
     }
     return text;
-}
-
-std::string render_settings(const Panel& panel, const std::optional<PanelQuilt>& quilt)
-{
-    const FrameMetadata native = frame_geometry(panel);
-    std::string words = camera_words(native), fit = fit_words();
-    PixelSize size{panel.film.width, panel.film.height};
-    if (quilt) {
-        // The quilt's pixels have another depth budget than the panel's, which are seen.
-        FrameMetadata geometry = native;
-        geometry.film.pixel_pitch = {size_of(panel.film).x / quilt->width,
-                                     size_of(panel.film).y / quilt->height};
-        const auto budget = seen_budget(native), of_quilt = seen_budget(geometry);
-        if (budget && of_quilt)
-            fit = fit_words(*budget / *of_quilt);
-        // The window keeps its size in mm whatever number of pixels is rendered.
-        const Vec2 window = size_of(panel.film);
-        const std::string film = film_words(panel.film);
-        words.replace(words.find(film), film.size(),
-                      "film { pixel_pitch <" + with_digits(window.x, 12) + "/image_width, " +
-                          with_digits(window.y, 12) + "/image_height> }");
-        size = {quilt->width, quilt->height};
-    }
-    return "Width=" + std::to_string(size.width) + "\nHeight=" + std::to_string(size.height) +
-           "\nIntegral_Camera=\"" + words + " " + fit + "\"\n" +
-           (quilt ? "Integral_Quilt=" + size_text(quilt->tiles.columns, quilt->tiles.rows) + "\n"
-                  : "");
 }
 
 } // namespace integral

@@ -21,11 +21,14 @@ enum
                                     ///< of the final
     kIntegralAttrib_Fit = 'IgFi',   ///< option Integral_Fit=: depth budgets on either side of the
                                     ///< sheet
-    kIntegralAttrib_FreeWidth = 'IgFw',  ///< Width is a default, which print_size may replace
-    kIntegralAttrib_FreeHeight = 'IgFh', ///< Height is a default, which print_size may replace
-    kIntegralAttrib_Quilt = 'IgQu',      ///< option Integral_Quilt=: views across and up
-    kIntegralAttrib_Phase = 'IgPa',      ///< option Integral_Phase=: part of the viewing zone
-    kIntegralAttrib_Metadata = 'IgMd',   ///< option Integral_Metadata=: full or repeatable
+    kIntegralAttrib_FreeWidth = 'IgFw',    ///< Width is a default, which print_size may replace
+    kIntegralAttrib_FreeHeight = 'IgFh',   ///< Height is a default, which print_size may replace
+    kIntegralAttrib_Quilt = 'IgQu',        ///< option Integral_Quilt=: views across and up
+    kIntegralAttrib_Phase = 'IgPa',        ///< option Integral_Phase=: part of the viewing zone
+    kIntegralAttrib_Metadata = 'IgMd',     ///< option Integral_Metadata=: full or repeatable
+    kIntegralAttrib_Panel = 'IgPn',        ///< option Integral_Panel=: a panel's name or file; the
+                                           ///< front end replaces it by other options
+    kIntegralAttrib_PanelProblem = 'IgPp', ///< what is wrong with Integral_Panel=, for the user
     // statistics
     kIntegralAttrib_FilmPoints = 'IgFp',        ///< number of film points
     kIntegralAttrib_Imaged = 'IgIm',            ///< film points that are imaged
@@ -64,6 +67,7 @@ enum
 #define INTEGRAL_INI_KEYWORDS                                                                      \
     {"Integral_Camera", kIntegralAttrib_Camera, kPOVMSType_UCS2String},                            \
         {"Integral_Sheet", kIntegralAttrib_Sheet, kPOVMSType_UCS2String},                          \
+        {"Integral_Panel", kIntegralAttrib_Panel, kPOVMSType_UCS2String},                          \
         {"Integral_Draft", kIntegralAttrib_Draft, kPOVMSType_UCS2String},                          \
         {"Integral_Fit", kIntegralAttrib_Fit, kPOVMSType_UCS2String},                              \
         {"Integral_Target_Error", kIntegralAttrib_TargetError, kPOVMSType_UCS2String},             \

@@ -14,6 +14,7 @@
 #include "integral/base/file_bytes.h"
 #include "integral/reconstruction/pass_schedule.h"
 #include "integral/reconstruction/refinement.h"
+#include "integral/sheet/panel_quilt.h"
 
 #include <algorithm>
 #include <cctype>
@@ -220,17 +221,14 @@ void Read_Phase(const std::string& text, IntegralRenderOptions& result)
 void Read_Quilt(const std::string& text, POVMS_Object& options, int height,
                 IntegralRenderOptions& result)
 {
-    constexpr int most = 256;
     if (text.empty())
         return;
-    integral::ViewGrid grid;
-    int end = 0;
-    if (std::sscanf(text.c_str(), "%4dx%4d%n", &grid.columns, &grid.rows, &end) != 2 ||
-        end != int(text.size()) || grid.columns < 1 || grid.rows < 1 ||
-        std::max(grid.columns, grid.rows) > most)
+    const auto views = integral::views_in(text);
+    if (!views)
         throw std::invalid_argument("Integral_Quilt=" + text +
                                     " is not the views across and up, each from 1 to 256, as in "
                                     "8x6");
+    const integral::ViewGrid grid = *views;
     const int width = options.TryGetInt(kPOVAttrib_Width, grid.columns);
     if (height > 0 && (width < grid.columns || height < grid.rows))
         throw std::invalid_argument("Integral_Quilt=" + text + ": a picture of " +
@@ -357,6 +355,7 @@ std::shared_ptr<const IntegralSceneOptions> Read_Integral_Scene_Options(POVMS_Ob
     {
         result.problem = problem.what();
     }
+    result.problem_with_any_camera = text(kIntegralAttrib_PanelProblem);
     const std::string metadata = Lower_Case(text(kIntegralAttrib_Metadata));
     if (!metadata.empty() && metadata != "full" && metadata != "repeatable")
         result.problem_with_any_camera =

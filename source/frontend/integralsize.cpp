@@ -3,6 +3,7 @@
 // configbase.h must be the first POV-Ray file included
 #include "base/configbase.h"
 #include "frontend/integralsize.h"
+#include "frontend/integralpanel.h"
 #include "base/integralframe.h"
 #include "base/integralmsgid.h"
 #include "base/povmscpp.h"
@@ -47,6 +48,7 @@ DefaultSize::DefaultSize(POVMSObject& options)
 
 void DefaultSize::Put_Back(POVMSObject& options) const
 {
+    Use_Integral_Panel(options);
     Put(options, kPOVAttrib_Width, width, kIntegralAttrib_FreeWidth);
     Put(options, kPOVAttrib_Height, height, kIntegralAttrib_FreeHeight);
 }

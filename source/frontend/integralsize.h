@@ -22,8 +22,9 @@ public:
     /// Takes the size out of the options.
     explicit DefaultSize(POVMSObject& options);
 
-    /// Puts the size back where the command line gives none, and marks it as a default. Call it
-    /// after the command line has been read.
+    /// Replaces Integral_Panel= by its settings. Puts the size back where neither these nor the
+    /// command line give one, and marks it as a default. Call it after the command line has been
+    /// read.
     void Put_Back(POVMSObject& options) const;
 
 private:

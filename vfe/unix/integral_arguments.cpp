@@ -19,10 +19,11 @@ void QuoteIntegralArguments(char **argv)
     for (; *argv != NULL; ++argv)
     {
         const std::string argument = *argv;
-        std::string option = "Integral_Camera=";
-        if (!Begins_With(argument, option))
-            option = "Integral_Sheet=";
-        if (!Begins_With(argument, option))
+        std::string option;
+        for (const char *name : {"Integral_Camera=", "Integral_Sheet=", "Integral_Panel="})
+            if (Begins_With(argument, name))
+                option = name;
+        if (option.empty())
             continue;
         const std::string value = argument.substr(option.size());
         if (value.empty() || value[0] == '"' || value[0] == '\'')
