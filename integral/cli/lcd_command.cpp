@@ -23,6 +23,48 @@ void print(bool as_json, const Json& json, const std::string& text)
     std::cout << (as_json ? json.dump(2) + "\n" : text);
 }
 
+/// The inputs that make one image each: as PanelImages groups them, or each picture with its depth
+/// beside it.
+std::vector<Arguments> groups_of(const LcdOptions& o, const PanelImages& images)
+{
+    if (o.depth.depth != "beside" && (o.depth.depth || !is_rgbd_name(o.inputs[0])))
+        return images.groups(o.inputs);
+    std::vector<Arguments> groups;
+    for (const std::string& input : o.inputs)
+        groups.push_back({input});
+    return groups;
+}
+
+/// Views of a picture with depth.
+ViewInput depth_views(const LcdOptions& o, const PanelImages& images, const Arguments& group)
+{
+    const PanelImageOptions& image = images.options();
+    DepthViewsRequest request;
+    request.panel = images.panel();
+    request.grid = image.views;
+    if (image.width > 0)
+        request.size = PixelSize{image.width, image.height};
+    request.fit = image.fit;
+    request.right_to_left = image.right_to_left;
+    request.command = "lcd";
+    request.threads = image.threads;
+    return views_by_depth(group, o.depth, request);
+}
+
+Frame image_of(const LcdOptions& o, PanelImages& images, const Arguments& group)
+{
+    return shows_by_depth(group, o.depth)
+               ? images.image_of_views(group[0], depth_views(o, images, group))
+               : images.image_of(group);
+}
+
+PanelPictures pictures_of(const LcdOptions& o, PanelImages& images, const Arguments& group)
+{
+    return shows_by_depth(group, o.depth)
+               ? images.pictures_of_views(group[0], depth_views(o, images, group))
+               : images.pictures_of(group);
+}
+
 /// --html: writes the page of the input or test card.
 void make_page(const LcdOptions& o, const LcdRequest& lcd, PanelImages& images,
                const std::vector<Arguments>& groups)
@@ -34,7 +76,7 @@ void make_page(const LcdOptions& o, const LcdRequest& lcd, PanelImages& images,
     write_file(*o.html, is_video(group[0]) ? panel_video_page(images, group[0])
                                            : panel_page(images,
                                                         lcd.card ? images.pictures_of(*lcd.card)
-                                                                 : images.pictures_of(group),
+                                                                 : pictures_of(o, images, group),
                                                         group[0]));
 }
 
@@ -42,7 +84,7 @@ void make_page(const LcdOptions& o, const LcdRequest& lcd, PanelImages& images,
 void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
 {
     PanelImages images(panel, lcd.image);
-    const auto groups = lcd.card ? std::vector<Arguments>{{"--card"}} : images.groups(o.inputs);
+    const auto groups = lcd.card ? std::vector<Arguments>{{"--card"}} : groups_of(o, images);
     if (o.show && groups.size() > 1)
         throw UsageError("--show shows one image; -o makes several, which --play plays");
     if (o.html)
@@ -60,7 +102,7 @@ void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
     for (std::size_t k = 0; k < groups.size(); ++k) {
         stop_if_interrupted();
         const auto begun = std::chrono::steady_clock::now();
-        Frame frame = lcd.card ? images.card(*lcd.card) : images.image_of(groups[k]);
+        Frame frame = lcd.card ? images.card(*lcd.card) : image_of(o, images, groups[k]);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
         report.push_back({{"output", paths[k]},
                           {"width", frame.image.width},
@@ -173,6 +215,7 @@ blue of it takes the colour of the view that it is seen in. INPUT is a quilt, or
 views: perspective pictures whose window lies on the panel, from eyes on a line across the
 viewing zone at the viewing distance, view 0 from the far left, or where the lenses lie across
 from the lowest eye (integral views --eyes makes such).
+Or it is a picture with depth (RGBD), or a stereo pair: views between and beyond are drawn by depth.
 Or it is a frame: one rendered for the panel (--camera says how) is passed through to the bit; of
 any other the views of its own zone are drawn first. Several frames or quilts make several images.
 

@@ -4,6 +4,7 @@
 #define INTEGRAL_CLI_LCD_OPTIONS_H
 
 #include "integral/cli/command.h"
+#include "integral/cli/depth_pictures.h"
 #include "integral/cli/fit_options.h"
 #include "integral/cli/thread_options.h"
 #include "integral/panel/panel_images.h"
@@ -21,6 +22,7 @@ struct LcdOptions : CommonOptions {
     std::optional<int> view;
     bool encoded = false, list = false, describe = false, camera = false, quilt = false,
          play = false, loop = false, list_displays = false, json = false;
+    DepthSource depth;
     FitOptions fit;
     ViewOrderOptions given_views;
     ThreadOptions threads;

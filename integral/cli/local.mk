@@ -16,6 +16,8 @@ build_bin_integral_SOURCES += \
   integral/cli/compare_options.h \
   integral/cli/compare_suite.cpp \
   integral/cli/depth_command.cpp \
+  integral/cli/depth_pictures.cpp \
+  integral/cli/depth_pictures.h \
   integral/cli/fit_options.cpp \
   integral/cli/fit_options.h \
   integral/cli/flip_command.cpp \

@@ -36,14 +36,26 @@ void declare(options::options_description& all, ViewsOptions& o)
         "white: for programs that make a quilt of the two; .png or .tiff");
     add(all, "to-frame", o.to_frame,
         "back: the frame that shows the views of a quilt, or of files");
-    add(all, "depth", o.depth, "measured|FILE",
-        "with --to-frame: make the frame by depth, for another sheet and film, out of a frame, "
-        "views of eyes or one photograph. The depth is measured in them as integral depth does, or "
-        "FILE has it: a depth frame, .pfm (mm behind the sheet) or, with --depth-range, a grey "
-        "picture");
-    add(all, "depth-range", o.depth_range, "WHITE,BLACK",
-        "the depths, mm behind the sheet, of white and black in --depth's grey picture; between "
-        "them equal steps are equal steps of parallax");
+    add(all, "depth", o.depth.depth, "HOW",
+        "draw the views by depth, out of one picture or a stereo pair, for --panel or --sheet: "
+        "beside "
+        "(the picture's right half has the depths of its left half as greys, near white; default "
+        "for "
+        "names that end in rgbd), measured (default for two views: a pair in an .mpo or two "
+        "files), "
+        "or FILE (a grey picture, .pfm of mm behind the sheet, a depth frame). With --to-frame: "
+        "make "
+        "the frame by depth, for another sheet and film, also out of a frame or views of eyes, in "
+        "which depth is measured as integral depth does");
+    add(all, "depth-range", o.depth.range, "WHITE,BLACK",
+        "the depths, mm behind the sheet, of white and black in grey depths, or of a pair's "
+        "nearest "
+        "and farthest parts (default: twice the depth budget in front and behind); between them "
+        "equal "
+        "steps are equal steps of parallax");
+    add(all, "panel", o.panel, "NAME|FILE.json",
+        "for views by --depth: the light-field panel (integral lcd --list) that shows them; their "
+        "number and size are its quilt's");
     add(all, "sheet", o.sheet, "FILE.json",
         "geometry of the frame (integral sheet FRAME --json writes it), if the pictures do not "
         "carry it, or instead of that");
@@ -55,8 +67,14 @@ void declare(options::options_description& all, ViewsOptions& o)
 
 namespace {
 
-/// Writes the views of frames as pictures.
-int make_views(const ViewsOptions& o, const std::string& output, bool animated)
+/// Whether views are to be drawn of a picture with depth or a stereo pair.
+bool by_depth(const ViewsOptions& o)
+{
+    return !o.to_frame && !o.rgbd && shows_by_depth(o.inputs, o.depth);
+}
+
+/// Writes the views of frames as pictures. `depth`: by_depth.
+int make_views(const ViewsOptions& o, const std::string& output, bool animated, bool depth)
 {
     ViewExport requested;
     requested.output = output;
@@ -74,6 +92,8 @@ int make_views(const ViewsOptions& o, const std::string& output, bool animated)
     requested.threads = o.threads.count();
     requested.tell = [](const std::string& what) { say("views", what); };
     requested.progress = progress_bar;
+    if (depth)
+        return make_views_by_depth(o, requested);
     if (o.rgbd) {
         write_rgbd(o.inputs[0], *o.rgbd, requested);
         return exit_done;
@@ -85,8 +105,8 @@ int make_views(const ViewsOptions& o, const std::string& output, bool animated)
     return exit_done;
 }
 
-/// Throws UsageError for options that exclude each other.
-void check_options(const ViewsOptions& o, bool animated)
+/// Throws UsageError for options that exclude each other. `depth`: by_depth.
+void check_options(const ViewsOptions& o, bool animated, bool depth)
 {
     if (o.files && (o.to_frame || animated))
         throw UsageError(std::string("--files does not work with ") +
@@ -96,22 +116,25 @@ void check_options(const ViewsOptions& o, bool animated)
     if (o.upright && (o.to_frame || o.eyes))
         throw UsageError(std::string("--upright does not work with ") +
                          (o.to_frame ? "--to-frame" : "--eyes, whose views are upright"));
-    if (o.size && (o.to_frame || (!o.eyes && !animated && !o.upright && !o.rgbd)))
+    if (o.size && (o.to_frame || (!o.eyes && !animated && !o.upright && !o.rgbd && !depth)))
         throw UsageError(
             "--size is for --eyes, --upright, --rgbd and animations; else parallel views have "
             "a pixel a lens");
     if (!o.to_frame)
         throw_if_given({{"aspect", o.given_views.given_aspect},
-                        {"right-to-left", o.given_views.right_to_left}},
+                        {"right-to-left", o.given_views.right_to_left && !depth}},
                        "is for the views of --to-frame");
-    if (o.depth && !o.to_frame)
-        throw UsageError("--depth is for --to-frame; integral depth measures depth");
-    if (o.depth_range && (!o.depth || o.depth == "measured"))
-        throw UsageError("--depth-range is for a grey picture as --depth");
+    if (depth)
+        throw_if_given({{"eyes", o.eyes}, {"upright", o.upright}},
+                       "is for frames; views by depth are those of eyes");
+    if (o.depth.range && !o.depth.depth && !depth)
+        throw UsageError("--depth-range is for views and frames by --depth");
+    if (o.panel && !depth)
+        throw UsageError("--panel is for pictures with depth; integral lcd shows frames and views");
     if (o.rgbd && (o.to_frame || o.eyes || o.upright || o.files || o.views || animated))
         throw UsageError("--rgbd makes one picture, of one view; only --size and --sheet go with "
                          "it");
-    if (!o.to_frame && o.inputs.size() > 1 && !(animated && o.eyes))
+    if (!o.to_frame && o.inputs.size() > 1 && !(animated && o.eyes) && !depth)
         throw UsageError("one frame is expected; several frames make an animation of quilts, by "
                          "--eyes --views CxR and -o FILE.webm, .mp4 or .webp, and --to-frame "
                          "takes several views");
@@ -126,11 +149,13 @@ int run(const ViewsOptions& o)
     if (!animated || o.to_frame)
         format_for(output);
     check_series_options(o.series, output);
-    check_options(o, animated);
+    const bool depth = by_depth(o);
+    check_options(o, animated, depth);
     const int threads = o.threads.count();
     if (o.to_frame)
-        return o.depth ? make_frame_with_depth(o, output, threads) : make_frame(o, output, threads);
-    return make_views(o, output, animated);
+        return o.depth.depth ? make_frame_with_depth(o, output, threads)
+                             : make_frame(o, output, threads);
+    return make_views(o, output, animated, depth);
 }
 
 } // namespace
@@ -139,8 +164,8 @@ const Command views_command = {
     "views",
     "the views that are in a frame, as a quilt, files or an animation; and back",
     "FRAME -o QUILT [--views CxR] [--eyes] | FRAME --rgbd DEPTH.exr -o PICTURE | FRAME... --eyes "
-    "--views CxR -o QUILTS.webm | --to-frame VIEWS... -o FRAME [--sheet FILE.json] [--depth "
-    "measured|FILE]",
+    "--views CxR -o QUILTS.webm | PICTURE_rgbd.png|PAIR.mpo|LEFT RIGHT --panel NAME -o QUILT | "
+    "--to-frame VIEWS... -o FRAME [--sheet FILE.json] [--depth HOW]",
     R"(Takes a frame apart into its parallel views: what eyes endlessly far away see, a pixel a
 lens, one view for each direction (thesis 5.3). They stand in one picture, a quilt: view 0,
 from the far left and below, at the bottom left, the last at the top right. With whole

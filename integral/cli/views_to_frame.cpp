@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral views --to-frame: makes frames from views, or from pictures and their depth.
+// integral views --to-frame: makes frames from views, or from pictures and their depth; and views
+// of pictures with depth.
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/cli/views_options.h"
@@ -8,6 +9,8 @@
 #include "integral/io/image_file.h"
 #include "integral/replay/arrange.h"
 #include "integral/views/frame_of_views.h"
+
+#include <iostream>
 
 namespace integral {
 namespace {
@@ -93,6 +96,8 @@ ReliefRequest relief_request(const ViewsOptions& o, const FrameMetadata& geometr
     request.input.aspect = o.given_views.aspect();
     request.input.right_to_left = o.given_views.right_to_left;
     request.fit = o.fit.value();
+    if (o.depth.depth == "none")
+        throw UsageError("--depth none: leave --depth out");
     if (request.fit == Fit::stretch)
         throw UsageError("--fit stretch: a scene with depth cannot be stretched; contain or cover");
     request.tell = [](const std::string& what) { say("views", what); };
@@ -102,12 +107,7 @@ ReliefRequest relief_request(const ViewsOptions& o, const FrameMetadata& geometr
         request.input.zone = GivenZone{{viewing_zone(geometry, request.distance), request.distance},
                                        request.size.x,
                                        geometry.sheet};
-    if (*o.depth != "measured")
-        request.depth_file = *o.depth;
-    if (o.depth_range) {
-        const auto mm = parse_numbers("depth-range", *o.depth_range, "WHITE,BLACK", 2, 2);
-        request.grey = GreyDepths{mm[0], mm[1]};
-    }
+    set_depth_source(request, o.inputs, o.depth, geometry);
     return request;
 }
 
@@ -130,6 +130,60 @@ int make_frame_with_depth(const ViewsOptions& o, const std::string& output, int 
                                                          piece_of(bar, 1, 2));
         say("views", holes_text(figures));
     });
+    return exit_done;
+}
+
+namespace {
+
+/// The panel of --panel, or one of the lenses and pixels of --sheet.
+Panel panel_of(const ViewsOptions& o)
+{
+    if (o.panel)
+        return usage_checked("--panel " + *o.panel + ": ", [&] { return find_panel(*o.panel); });
+    if (!o.sheet)
+        throw UsageError(
+            o.inputs[0] +
+            ": it is a picture with depth; give --panel NAME (integral lcd --list), or "
+            "--sheet FILE.json, for whose eyes the views are");
+    const FrameMetadata geometry = read_metadata(*o.sheet);
+    check_film(*o.sheet, geometry.film);
+    Panel panel;
+    panel.film = geometry.film;
+    panel.sheet = geometry.sheet;
+    panel.aperture = geometry.aperture;
+    return panel;
+}
+
+} // namespace
+
+int make_views_by_depth(const ViewsOptions& o, const ViewExport& requested)
+{
+    DepthViewsRequest request;
+    request.panel = panel_of(o);
+    request.grid = requested.grid;
+    request.size = requested.size;
+    request.fit = requested.fit;
+    request.right_to_left = o.given_views.right_to_left;
+    request.command = "views";
+    request.threads = requested.threads;
+    check_writable(requested.output);
+    ViewInput made = views_by_depth(o.inputs, o.depth, request);
+    const FrameMetadata geometry = frame_geometry(request.panel);
+    EyeViews form;
+    form.grid = made.grid;
+    form.directions = directions_of(made.grid, geometry.sheet);
+    form.size = {made.views[0].width, made.views[0].height};
+    form.shape = made.shape;
+    if (!fitted(made.shape, shape_of(geometry.film), Fit::contain).differs()) {
+        const double distance = geometry.aperture.distance;
+        form.metadata = geometry;
+        form.metadata->encoding = made.views[0].encoding;
+        form.metadata->quilt = QuiltRecord{made.grid, std::nullopt,
+                                           EyeGrid{viewing_zone(geometry, distance), distance}};
+    }
+    const std::string path = write_views_of_eyes(std::move(made.views), form, requested);
+    if (path != requested.output)
+        std::cout << path << '\n';
     return exit_done;
 }
 

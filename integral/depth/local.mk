@@ -2,6 +2,8 @@
 # Sources of integral/depth: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/depth/averaged.cpp \
+  integral/depth/averaged.h \
   integral/depth/depth_files.cpp \
   integral/depth/depth_files.h \
   integral/depth/depth_input.cpp \
@@ -37,10 +39,16 @@ build_lib_libintegral_a_SOURCES += \
   integral/depth/relief_frame.h \
   integral/depth/relief_input.cpp \
   integral/depth/relief_input.h \
+  integral/depth/relief_pictures.cpp \
+  integral/depth/relief_pictures.h \
+  integral/depth/relief_views.cpp \
+  integral/depth/relief_views.h \
   integral/depth/row_loops.cpp \
   integral/depth/row_loops.h \
   integral/depth/spread.cpp \
   integral/depth/spread.h \
+  integral/depth/stereo_pair.cpp \
+  integral/depth/stereo_pair.h \
   integral/depth/texture.cpp \
   integral/depth/texture.h \
   integral/depth/view_order.cpp \

@@ -13,6 +13,10 @@ namespace {
 /// If they are farther apart, an edge lies between them, with nothing known behind it.
 constexpr double longest_stretch = 1.5;
 
+/// Pixels that the nearest surface moves, against the farthest one, from one eye to the next: above
+/// that, a picture may hide much of what the next one shows.
+constexpr double far_apart = 6;
+
 /// The pixel at a place, or the map's nearest pixel.
 std::size_t pixel_around(const ReliefMap& map, Vec2 at)
 {
@@ -111,6 +115,9 @@ Relief::Relief(std::vector<ReliefPicture> pictures, std::vector<ReliefMap> maps,
                  *std::max_element(up.begin(), up.end())};
     const PixelPlaces& places = pictures_[0].places;
     pixel_ = std::max(length(places.right), length(places.down));
+    const double step = std::max(last_eye_.x > first_eye_.x ? spacing_.x : 0,
+                                 last_eye_.y > first_eye_.y ? spacing_.y : 0);
+    sparse_ = (greatest_ - least_) * step > far_apart * pixel_;
 }
 
 void Relief::scale(double factor)
@@ -185,7 +192,8 @@ bool Relief::is_seen(const ReliefMap& map, double parallax, const ReliefLine& li
 
 Colour Relief::light_at(const ReliefMap& map, double parallax, const ReliefLine& line) const
 {
-    const bool beyond = !is_between_eyes(line.eye); // then a picture's eye may not see the surface
+    // A picture's eye may not see the surface.
+    const bool may_be_hidden = sparse_ || !is_between_eyes(line.eye);
     const Vec2 nearest{std::clamp(line.eye.x, first_eye_.x, last_eye_.x),
                        std::clamp(line.eye.y, first_eye_.y, last_eye_.y)};
     Colour sum{0, 0, 0, 0}, edge{0, 0, 0, 0};
@@ -196,7 +204,7 @@ Colour Relief::light_at(const ReliefMap& map, double parallax, const ReliefLine&
         if (!(across > 0 && up > 0))
             continue;
         const Vec2 place = line.place + parallax * (picture.eye - line.eye);
-        if (beyond && !is_seen(map, parallax, {place, picture.eye}))
+        if (may_be_hidden && !is_seen(map, parallax, {place, picture.eye}))
             continue;
         const Vec2 at = picture.places.pixel_at(place);
         const bool inside = is_inside(picture, at);
@@ -246,7 +254,7 @@ Seen Relief::along(const ReliefLine& line) const
         }
     }
     // No map shows the line's end, but a picture whose eye is near the line does.
-    if (is_between_eyes(line.eye))
+    if (!sparse_ && is_between_eyes(line.eye))
         return {light_at(*nearest, of_nearest.parallax, line), pictures_.size() > 1};
     return {light_beside(*nearest, of_nearest, line), false};
 }

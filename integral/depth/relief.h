@@ -79,6 +79,8 @@ private:
     double pixel_ = 1;
     Vec2 first_eye_, last_eye_;      ///< the rectangle of the pictures' eyes
     Vec2 spacing_{1, 1};             ///< greatest spacing of neighbouring eyes, > 0
+    bool sparse_ = false; ///< surfaces move so far from eye to eye that one may hide what the next
+                          ///< one sees
     float least_ = 0, greatest_ = 0; ///< parallax in all maps
 };
 

@@ -10,26 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 namespace integral {
 namespace {
-
-/// Adds up rows' figures, from several threads.
-class Tally {
-public:
-    void add(const ReliefFigures& row)
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        all_.lines += row.lines;
-        all_.holes += row.holes;
-    }
-    const ReliefFigures& all() const { return all_; }
-
-private:
-    std::mutex mutex_;
-    ReliefFigures all_;
-};
 
 /// The light of film points.
 class FilmLight {
@@ -116,11 +99,18 @@ Vec2 disc_point(double radius, int x, int y, int sample, int samples)
 
 } // namespace
 
+void ReliefTally::add(const ReliefFigures& row)
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    all_.lines += row.lines;
+    all_.holes += row.holes;
+}
+
 std::string holes_text(const ReliefFigures& figures)
 {
     return with_decimals(100 * figures.holes / std::max(1.0, figures.lines), 2) +
-           "% of the lines of sight end where no view has seen anything: filled with what is "
-           "beside, farther off";
+           "% of the lines of sight are invented: they end where no picture has seen anything, and "
+           "show what is beside, farther off";
 }
 
 ReliefFigures write_relief_frame(const std::string& path, Relief relief,
@@ -142,7 +132,7 @@ ReliefFigures write_relief_frame(const std::string& path, Relief relief,
     whole.height = geometry.film.height;
     PictureWriter writer = PictureWriter::of_frame(path, whole, metadata);
     const int rows = rows_of_a_band(whole), bands = (whole.height + rows - 1) / rows;
-    Tally tally;
+    ReliefTally tally;
     for (int k = 0; k < bands; ++k) {
         const int first = k * rows, count = std::min(rows, whole.height - first);
         Image band = blank_like(whole, whole.width, count);
@@ -169,7 +159,7 @@ RefocusedPicture refocused(const Relief& relief, const Refocus& lens, const Imag
         lens.width, lens.height, {relief.size().x / lens.width, relief.size().y / lens.height}};
     // Lines from the lens to the point in focus: offset in the image plane / offset on the lens.
     const double sideways = lens.focus / (relief.distance() + lens.focus);
-    Tally tally;
+    ReliefTally tally;
     const auto row = [&](int y) {
         ReliefFigures figures;
         for (int x = 0; x < lens.width; ++x) {

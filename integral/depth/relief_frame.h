@@ -6,6 +6,7 @@
 #include "integral/depth/relief.h"
 #include "integral/frame/picture_fit.h"
 
+#include <mutex>
 #include <string>
 
 namespace integral {
@@ -14,6 +15,17 @@ namespace integral {
 struct ReliefFigures {
     double lines = 0; ///< all
     double holes = 0; ///< lines whose end no view shows: filled in from farther off
+};
+
+/// Adds up rows' figures, from several threads.
+class ReliefTally {
+public:
+    void add(const ReliefFigures& row);
+    const ReliefFigures& all() const { return all_; }
+
+private:
+    std::mutex mutex_;
+    ReliefFigures all_;
 };
 
 /// A sentence with the share of the lines of sight that had to be filled.

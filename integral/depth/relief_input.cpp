@@ -3,6 +3,7 @@
 
 #include "integral/base/interrupt.h"
 #include "integral/depth/depth_scores.h"
+#include "integral/depth/relief_pictures.h"
 #include "integral/frame/quilt_name.h"
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
@@ -93,14 +94,6 @@ std::vector<ReliefMap> measured_maps(const ViewSet& views, DepthQuality quality,
     return maps;
 }
 
-/// z / (distance + z): 1 at infinity, NaN for a point that is not in front of the eye.
-float parallax_of(double mm, double distance)
-{
-    if (std::isinf(mm) && mm > 0)
-        return 1;
-    return mm > -distance ? float(mm / (distance + mm)) : NAN;
-}
-
 std::vector<ReliefMap> maps_of_depth_frame(const DepthInput& input, const std::string& path)
 {
     if (!input.frame)
@@ -124,7 +117,6 @@ ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded
                       double distance)
 {
     const std::string& path = request.depth_file;
-    const std::optional<GreyDepths>& grey = request.grey;
     ReliefMap map;
     std::vector<float> mm;
     if (decoded) {
@@ -138,19 +130,11 @@ ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded
         map.height = file.height;
         mm = std::move(file.values);
     } else {
-        if (!grey)
-            throw std::invalid_argument(path + " is a grey picture: --depth-range WHITE,BLACK "
-                                               "tells which depths its white and black are");
+        const GreyDepths depths = grey_depths(path, request);
         const Image picture = read_frame(path).image;
         map.width = picture.width;
         map.height = picture.height;
-        const float white = parallax_of(grey->white, distance),
-                    black = parallax_of(grey->black, distance);
-        if (!(std::isfinite(white) && std::isfinite(black)))
-            throw std::invalid_argument("its white or black is behind the eye");
-        for (int y = 0; y < picture.height; ++y)
-            for (int x = 0; x < picture.width; ++x)
-                map.parallax.push_back(black + stored_pixel(picture, x, y).g * (white - black));
+        map.parallax = parallax_of_greys(picture, depths, distance);
     }
     for (const float z : mm)
         map.parallax.push_back(parallax_of(z, distance));
@@ -189,35 +173,34 @@ bool is_photograph(const std::vector<std::string>& inputs, const ReliefRequest& 
            !read_views(inputs[0], false).metadata;
 }
 
-ReliefInput read_photograph(const std::string& path, const ReliefRequest& request)
+/// The two pictures of a stereo pair without a record of their eyes; nothing for other inputs.
+std::optional<std::vector<Image>> pair_in(const std::vector<std::string>& inputs,
+                                          const ReliefRequest& request)
+{
+    if (!request.depth_file.empty() || request.input.eyes || request.input.zone ||
+        !is_pair_of_files(inputs))
+        return std::nullopt;
+    if (inputs.size() == 1)
+        return read_list_of_views(inputs[0]);
+    std::vector<Image> views;
+    for (const std::string& input : inputs)
+        views.push_back(read_frame(input).image);
+    return views;
+}
+
+ReliefInput read_photograph(const std::string& path, const ReliefRequest& request, int threads)
 {
     const Image image = read_frame(path).image;
-    // The pixel size at which the photograph just covers `request.size`.
-    const double pixel = std::max(request.size.x / image.width, request.size.y / image.height);
-    const Vec2 size{image.width * pixel, image.height * pixel};
-    ReliefPicture picture;
-    picture.width = image.width;
-    picture.height = image.height;
-    picture.places = {{-0.5 * (image.width - 1) * pixel, 0.5 * (image.height - 1) * pixel},
-                      {pixel, 0},
-                      {0, -pixel}};
-    const LinearReader light(image);
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const Colour c = light(x, y);
-            picture.light[0].push_back(c.r);
-            picture.light[1].push_back(c.g);
-            picture.light[2].push_back(c.b);
-        }
+    const PictureRaster raster = raster_of(image, request);
     const auto decoded = decoded_depths(request.depth_file);
     if (decoded && !decoded->document.empty())
         throw std::invalid_argument(request.depth_file +
                                     " is a frame's depth frame; a photograph needs its own map");
-    std::vector<ReliefPicture> pictures;
-    pictures.push_back(std::move(picture));
+    std::vector<ReliefPicture> pictures{relief_picture(image, raster, threads)};
     std::vector<ReliefMap> maps{
-        map_of_file(request, decoded ? &*decoded : nullptr, size, request.distance)};
-    return {Relief(std::move(pictures), std::move(maps), request.distance, size), form_of(image)};
+        map_of_file(request, decoded ? &*decoded : nullptr, raster.size, request.distance)};
+    return {Relief(std::move(pictures), std::move(maps), request.distance, raster.size),
+            form_of(image)};
 }
 
 void need_scale(const ViewSet& views)
@@ -228,6 +211,17 @@ void need_scale(const ViewSet& views)
 }
 
 } // namespace
+
+bool is_pair_of_files(const std::vector<std::string>& inputs)
+{
+    if (inputs.size() == 1)
+        return is_list_of_views(inputs[0]) && read_list_of_views(inputs[0], 3).size() == 2;
+    const auto has_geometry = [](const std::string& input) {
+        return quilt_in_name(input) || ViewsReader(input, false).head().metadata ||
+               FrameReader(input).frame().metadata;
+    };
+    return inputs.size() == 2 && std::none_of(inputs.begin(), inputs.end(), has_geometry);
+}
 
 Relief measured_relief(const DepthInput& input, DepthQuality quality, int threads,
                        const Progress& progress)
@@ -241,8 +235,13 @@ Relief measured_relief(const DepthInput& input, DepthQuality quality, int thread
 ReliefInput read_relief(const std::vector<std::string>& inputs, const ReliefRequest& request,
                         int threads, const Progress& progress)
 {
+    if (request.beside && inputs.size() == 1)
+        return read_rgbd(inputs[0], request, threads);
     if (is_photograph(inputs, request))
-        return read_photograph(inputs[0], request);
+        return read_photograph(inputs[0], request, threads);
+    if (auto pair = pair_in(inputs, request))
+        return relief_of_pair(inputs[0], std::move((*pair)[0]), std::move((*pair)[1]), request,
+                              threads, progress);
     DepthInput input = read_depth_input(inputs, request.input, threads, piece_of(progress, 0, 2));
     if (request.depth_file.empty())
         return {measured_relief(input, request.quality, threads, piece_of(progress, 1, 2)),

@@ -22,13 +22,20 @@ struct GreyDepths {
 struct ReliefRequest {
     DepthRequest input;
     std::string depth_file;                    ///< "": depth is measured
-    std::optional<GreyDepths> grey;            ///< needed if depth_file is a grey picture
+    bool beside = false; ///< depths are greys in the right half of the one input; no depth_file
+    std::optional<GreyDepths> grey; ///< of grey depths, and of a pair's nearest and farthest
+                                    ///< twentieth
+    double limit = 0; ///< mm behind the sheet, where `grey` is missing: of black; white is as far
+                      ///< in front, in parallax; 0: grey pictures need `grey`
+    int width = 0; ///< pixels that a photograph needs across: one that has at least twice as many
+                   ///< is reduced; 0: all of them
     DepthQuality quality = DepthQuality::good; ///< of measuring
-    Vec2 size;           ///< rectangle in the image plane that a photograph covers, mm; the middle
-                         ///< of the rectangle is in front of the photograph's eye
+    Vec2 size;           ///< rectangle in the image plane that a photograph is fitted to, mm; its
+                         ///< middle is in front of the photograph's eye
     double distance = 0; ///< of a photograph's eye from the image plane, mm
-    Fit fit = Fit::contain; ///< of a depth_file whose shape differs from the pictures'
-    /// Takes notices about the depth_file for the user, a line each.
+    Fit fit = Fit::contain; ///< of a photograph, and of a depth_file whose shape differs from the
+                            ///< pictures'
+    /// Takes notices about depths for the user, a line each.
     std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
@@ -39,14 +46,20 @@ struct ReliefInput {
 };
 
 /// Reads the inputs as read_depth_input does; but one picture that is neither frame nor quilt is,
-/// with a depth_file, a photograph. The depth_file is a depth frame (for a frame); a .pfm, or an
-/// .exr without a frame's geometry, of mm behind the sheet; or a grey picture, in which equal steps
-/// are equal steps of parallax. Maps other than depth frames cover the rectangle of the views and
-/// give depth for the middle view alone; depth frames and measured depth also give it for the
-/// outermost eyes. Throws as read_depth_input does, and std::invalid_argument if the depth_file
-/// does not fit, or if the views have no record of their eyes: then their scale in mm is unknown.
+/// with a depth_file, or with depths beside it, a photograph; and two views without a record of
+/// their eyes are a stereo pair, whose depth is put within the limit. The depth_file is a depth
+/// frame (for a frame); a .pfm, or an .exr without a frame's geometry, of mm behind the sheet; or a
+/// grey picture, in which equal steps are equal steps of parallax. Maps other than depth frames
+/// cover the rectangle of the views and give depth for the middle view alone; depth frames and
+/// measured depth also give it for the outermost eyes. Throws as read_depth_input does, and
+/// std::invalid_argument if the depth_file does not fit, or if the views have no record of their
+/// eyes: then their scale in mm is unknown.
 ReliefInput read_relief(const std::vector<std::string>& inputs, const ReliefRequest& request,
                         int threads, const Progress& progress);
+
+/// Whether inputs are the two views of a stereo pair, in one file (an MPO, a stereo OpenEXR) or
+/// two, without a record of their eyes. Throws InputError.
+bool is_pair_of_files(const std::vector<std::string>& inputs);
 
 /// Measures the depth of an input that has been read, and makes its relief.
 Relief measured_relief(const DepthInput& input, DepthQuality quality, int threads,

@@ -42,8 +42,8 @@ DepthView view_of(const ViewSet& set, const Image& picture, Vec2 shift)
 
 void check(const std::vector<Image>& views)
 {
-    if (views.size() < 3)
-        throw std::invalid_argument("depth needs 3 views at least, and there are " +
+    if (views.size() < 2)
+        throw std::invalid_argument("depth needs 2 views at least, and there are " +
                                     std::to_string(views.size()));
     for (const Image& view : views)
         if (view.width != views[0].width || view.height != views[0].height)

@@ -79,6 +79,9 @@ public:
     PanelPictures pictures_of(const std::vector<std::string>& group);
     PanelPictures pictures_of(PanelCard card);
 
+    /// The same for views of eyes that are in memory.
+    PanelPictures pictures_of_views(const std::string& name, ViewInput views) const;
+
     /// The same for a quilt video, without `views`: the video is not read. Throws RequestError if
     /// neither its name nor the options give the views.
     PanelPictures pictures_of_video(const std::string& path) const;
@@ -99,7 +102,6 @@ private:
     ViewInput read_views_of(const std::vector<std::string>& group) const;
     PanelPictures native_image(const std::string& name, const Frame& frame) const;
     PanelPictures pictures_of_frame(const std::string& name, const Frame& frame) const;
-    PanelPictures pictures_of_views(const std::string& name, ViewInput views) const;
     PanelPictures pictures_of_card(PanelCard card) const;
     Frame image_of(PanelPictures pictures);
     void map_picture(const FittedPicture& picture, std::optional<EyeGrid> eyes);

@@ -101,9 +101,9 @@ PixelSize size_of_parallel_views(const std::string& name, const FrameMetadata& m
 }
 
 /// The quilt's path, which contains the number of views.
-std::string quilt_path(const std::string& output, ViewGrid grid, const Film& film)
+std::string quilt_path(const std::string& output, ViewGrid grid, double shape)
 {
-    const std::string path = output == "-" ? output : quilt_name(output, grid, shape_of(film));
+    const std::string path = output == "-" ? output : quilt_name(output, grid, shape);
     const auto named = quilt_in_name(path);
     if (named && (named->grid.columns != grid.columns || named->grid.rows != grid.rows))
         throw RequestError("-o " + output + ": its name says " + text_of(named->grid) +
@@ -156,6 +156,21 @@ void make_parallel_views(ViewsOutput& output, const Frame& frame, ViewGrid grid,
         write_quilt(output.path, frame, views, grid, metadata, requested.threads, bar);
 }
 
+/// Writes views for display, with the geometry of the frame that they are views of, if any.
+void write_pictures(ViewsOutput& output, std::vector<Image> views, ViewGrid grid,
+                    ViewGrid directions, std::optional<FrameMetadata> metadata)
+{
+    if (is_animation(output.path))
+        return write_animation(*output.series, views, directions);
+    if (!output.series)
+        return write_frame(output.path, Frame{quilt_of_views(std::move(views), grid), metadata});
+    for (int k = 0; k < grid.count(); ++k) {
+        if (metadata)
+            metadata->quilt->view = k;
+        output.series->add(std::move(views[std::size_t(k)]), metadata);
+    }
+}
+
 /// Writes views for display: views of eyes, or parallel views turned upright.
 void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, const FittedView& fitted,
                    const ViewExport& requested)
@@ -164,8 +179,6 @@ void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, const
     const ViewGrid directions = directions_of(grid, frame.metadata->sheet);
     std::vector<Image> views = (of_eyes ? views_of_eyes : upright_views)(
         frame, directions, fitted.view, requested.threads, requested.progress("views"));
-    if (is_animation(output.path))
-        return write_animation(*output.series, views, directions);
     std::optional<FrameMetadata> metadata; // no frame can be made of upright views
     if (of_eyes && fitted.is_whole()) {
         metadata = *frame.metadata;
@@ -173,13 +186,7 @@ void make_pictures(ViewsOutput& output, const Frame& frame, ViewGrid grid, const
         metadata->quilt = QuiltRecord{grid, std::nullopt,
                                       EyeGrid{viewing_zone(*metadata, distance), distance}};
     }
-    if (!output.series)
-        return write_frame(output.path, Frame{quilt_of_views(std::move(views), grid), metadata});
-    for (int k = 0; k < grid.count(); ++k) {
-        if (metadata)
-            metadata->quilt->view = k;
-        output.series->add(std::move(views[std::size_t(k)]), metadata);
-    }
+    write_pictures(output, std::move(views), grid, directions, metadata);
 }
 
 /// The displayed shape of views in a quilt of that path.
@@ -229,7 +236,7 @@ std::string write_views_of_frame(const std::string& name, const ViewExport& requ
         output.series.emplace(series_of(requested, requested.output, grid.count(), 0, true));
         shape = shape_of_files(requested, metadata.film);
     } else {
-        output.path = quilt_path(requested.output, grid, metadata.film);
+        output.path = quilt_path(requested.output, grid, shape_of(metadata.film));
         shape = shape_of_quilt(requested, output.path, name, metadata.film);
     }
     const FittedView fitted = view_to_look_at(requested, metadata, shape);
@@ -252,6 +259,33 @@ std::string write_views_of_frame(const std::string& name, const ViewExport& requ
     return output.path;
 }
 
+void check_views_of_eyes(const EyeViews& form, const ViewExport& requested)
+{
+    check_view_size(form.size);
+    if (requested.files || is_animation(requested.output))
+        return;
+    check_quilt_size(form.grid, form.size);
+    const std::string path = quilt_path(requested.output, form.grid, form.shape);
+    const auto named = quilt_in_name(path);
+    if (named && fitted(form.shape, named->aspect, Fit::contain).differs())
+        throw RequestError("-o " + path + ": its name states the shape (width/height) " +
+                           with_digits(named->aspect, 3) + ", and that of the views is " +
+                           with_digits(form.shape, 3) + "; a name without _qs gets the right end");
+}
+
+std::string write_views_of_eyes(std::vector<Image> views, const EyeViews& form,
+                                const ViewExport& requested)
+{
+    check_views_of_eyes(form, requested);
+    ViewsOutput output{requested.output, std::nullopt};
+    if (requested.files || is_animation(requested.output))
+        output.series.emplace(series_of(requested, requested.output, form.grid.count(), 0, true));
+    else
+        output.path = quilt_path(requested.output, form.grid, form.shape);
+    write_pictures(output, std::move(views), form.grid, form.directions, form.metadata);
+    return output.path;
+}
+
 std::string write_quilts(const std::vector<std::string>& names, const ViewExport& requested)
 {
     std::string path;
@@ -265,7 +299,7 @@ std::string write_quilts(const std::vector<std::string>& names, const ViewExport
         stop_if_interrupted();
         const Film& film = frame.metadata->film;
         if (!series)
-            path = quilt_path(requested.output, grid, film);
+            path = quilt_path(requested.output, grid, shape_of(film));
         const FittedView fitted = view_to_look_at(requested, *frame.metadata,
                                                   shape_of_quilt(requested, path, name, film));
         tell_fit(requested, name, fitted.picture, "the quilt");

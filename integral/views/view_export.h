@@ -5,6 +5,7 @@
 #define INTEGRAL_VIEWS_VIEW_EXPORT_H
 
 #include "integral/base/parallel.h"
+#include "integral/frame/frame_metadata.h"
 #include "integral/frame/picture_fit.h"
 #include "integral/frame/view_grid.h"
 #include "integral/io/picture_series.h"
@@ -51,6 +52,22 @@ struct ViewExport {
 /// Writes the views of one frame, and returns the path. If a quilt's name lacks the number and the
 /// shape of the views, they are added. Views of eyes that have bars, or are cut, carry no geometry.
 std::string write_views_of_frame(const std::string& frame, const ViewExport& requested);
+
+/// Properties of views of eyes that are in memory.
+struct EyeViews {
+    ViewGrid grid, directions;             ///< of the quilt, and of the views (directions_of)
+    PixelSize size;                        ///< of each view
+    double shape = 1;                      ///< width divided by height, as displayed
+    std::optional<FrameMetadata> metadata; ///< of the frame whose film they show whole, with the
+                                           ///< quilt's record
+};
+
+/// Writes such views as a quilt, files or an animation, and returns the path.
+std::string write_views_of_eyes(std::vector<Image> views, const EyeViews& form,
+                                const ViewExport& requested);
+
+/// Throws where write_views_of_eyes would, before long work.
+void check_views_of_eyes(const EyeViews& form, const ViewExport& requested);
 
 /// Writes views of eyes of several frames as an animation, whose pictures are quilts of
 /// requested.grid, and returns its path.

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/cli/depth_pictures.h"
+
+#include "integral/cli/command.h"
+#include "integral/cli/progress.h"
+#include "integral/cli/values.h"
+#include "integral/depth/relief_views.h"
+#include "integral/replay/arrange.h"
+#include "integral/sheet/depth_advice.h"
+#include "integral/sheet/panel_quilt.h"
+#include "integral/sheet/sheet_report.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace integral {
+namespace {
+
+/// Makes the relief so large that its pictures fit the panel.
+void fit_on_panel(Relief& relief, const DepthViewsRequest& request)
+{
+    const Vec2 panel = size_of(request.panel.film), size = relief.size();
+    const double across = panel.x / size.x, up = panel.y / size.y;
+    relief.scale(request.fit == Fit::cover ? std::max(across, up) : std::min(across, up));
+}
+
+/// Pixels of a view of the picture whose size on the panel is `seen` mm.
+PixelSize size_of_view(const DepthViewsRequest& request, const PanelQuilt& quilt, Vec2 seen)
+{
+    if (request.size)
+        return *request.size;
+    const Vec2 panel = size_of(request.panel.film);
+    const auto pixels = [](double part, int tile) {
+        return std::max(1, int(std::lround(part * tile)));
+    };
+    return {pixels(seen.x / panel.x, quilt.width / quilt.tiles.columns),
+            pixels(seen.y / panel.y, quilt.height / quilt.tiles.rows)};
+}
+
+ReliefRequest relief_request(const std::vector<std::string>& inputs, const DepthSource& source,
+                             const DepthViewsRequest& request, const PanelQuilt& quilt)
+{
+    if (request.fit == Fit::stretch)
+        throw UsageError("--fit stretch: a scene with depth cannot be stretched; contain or cover");
+    ReliefRequest relief;
+    relief.input.right_to_left = request.right_to_left;
+    relief.size = size_of(request.panel.film);
+    relief.distance = request.panel.aperture.distance;
+    relief.fit = request.fit;
+    relief.width = request.size ? request.size->width : quilt.width / quilt.tiles.columns;
+    relief.tell = [&request](const std::string& what) { say(request.command, what); };
+    set_depth_source(relief, inputs, source, frame_geometry(request.panel));
+    return relief;
+}
+
+} // namespace
+
+bool is_rgbd_name(const std::string& path)
+{
+    const std::string end = "rgbd";
+    std::string name = path.substr(0, path.rfind('.'));
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char letter) { return char(std::tolower(letter)); });
+    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
+bool shows_by_depth(const std::vector<std::string>& inputs, const DepthSource& source)
+{
+    if (source.depth)
+        return *source.depth != "none";
+    return (inputs.size() == 1 && is_rgbd_name(inputs[0])) || is_pair_of_files(inputs);
+}
+
+void set_depth_source(ReliefRequest& request, const std::vector<std::string>& inputs,
+                      const DepthSource& source, const FrameMetadata& seen)
+{
+    constexpr double otherwise = 0.02; // of the distance, for sheets without a depth budget
+    const std::string depth = source.depth.value_or(is_rgbd_name(inputs[0]) ? "beside"
+                                                                            : "measured");
+    request.beside = depth == "beside";
+    if (request.beside && inputs.size() > 1)
+        throw UsageError("--depth beside is for one picture with its depth to the right");
+    if (!request.beside && depth != "measured")
+        request.depth_file = depth;
+    if (source.range && depth == "measured" && !is_pair_of_files(inputs))
+        throw UsageError("--depth-range is for grey depths and stereo pairs");
+    if (source.range) {
+        const auto mm = parse_numbers("depth-range", *source.range, "WHITE,BLACK", 2, 2);
+        request.grey = GreyDepths{mm[0], mm[1]};
+    }
+    const auto budget = seen_budget(seen);
+    request.limit = budget ? soft_budgets * *budget : otherwise * request.distance;
+}
+
+ViewInput views_by_depth(const std::vector<std::string>& inputs, const DepthSource& source,
+                         const DepthViewsRequest& request)
+{
+    const FrameMetadata geometry = frame_geometry(request.panel);
+    const PanelQuilt quilt = quilt_for(request.panel, request.grid);
+    const Progress bar = progress_bar(request.command);
+    ViewInput made;
+    usage_checked(inputs[0] + ": ", [&] {
+        ReliefInput input = read_relief(inputs, relief_request(inputs, source, request, quilt),
+                                        request.threads, piece_of(bar, 0, 2));
+        fit_on_panel(input.relief, request);
+        const Vec2 seen = input.relief.size();
+        const double distance = geometry.aperture.distance;
+        ReliefViews drawn = views_of_relief(
+            input.relief, {viewing_zone(geometry, distance), distance},
+            directions_of(quilt.tiles, geometry.sheet), size_of_view(request, quilt, seen),
+            input.form, request.threads, piece_of(bar, 1, 2));
+        say(request.command, inputs[0] + ": " + holes_text(drawn.figures));
+        made.views = std::move(drawn.views);
+        made.grid = quilt.tiles;
+        made.shape = seen.x / seen.y;
+    });
+    return made;
+}
+
+} // namespace integral

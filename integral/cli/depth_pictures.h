@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+// Pictures with depth as views: RGBD pictures, pictures with a depth file, and stereo pairs, for
+// the commands that show them.
+#ifndef INTEGRAL_CLI_DEPTH_PICTURES_H
+#define INTEGRAL_CLI_DEPTH_PICTURES_H
+
+#include "integral/depth/relief_input.h"
+#include "integral/sheet/panel.h"
+#include "integral/views/view_input.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace integral {
+
+/// Values of --depth and --depth-range; nothing: not given.
+struct DepthSource {
+    std::optional<std::string> depth, range;
+};
+
+/// Whether a file's name ends in rgbd, in any case, before its extension, as in photo_rgbd.png.
+bool is_rgbd_name(const std::string& path);
+
+/// Whether inputs are one picture with depth, or a stereo pair, whose views are to be drawn by
+/// depth: as --depth says or, without it, by an RGBD picture's name, or because there are two
+/// views. Throws InputError.
+bool shows_by_depth(const std::vector<std::string>& inputs, const DepthSource& source);
+
+/// Fills the fields of a request that --depth and --depth-range give, and its limit: twice the
+/// depth budget of the geometry that will be seen. Throws UsageError.
+void set_depth_source(ReliefRequest& request, const std::vector<std::string>& inputs,
+                      const DepthSource& source, const FrameMetadata& seen);
+
+/// Views of a picture with depth that are drawn for a panel.
+struct DepthViewsRequest {
+    Panel panel;
+    std::optional<ViewGrid> grid;  ///< of the quilt; nothing: of the panel's recommended quilt
+    std::optional<PixelSize> size; ///< of each view; nothing: as in that quilt
+    Fit fit = Fit::contain;        ///< on the panel; not stretch
+    bool right_to_left = false;    ///< a pair's views
+    const char* command = "";      ///< name of the command, for messages
+    int threads = 0;
+};
+
+/// The views, whose shape is the picture's, from eyes spread over the panel's zone. Prints what is
+/// known about the depths, and how much is invented. Throws UsageError, InputError, Interrupted.
+ViewInput views_by_depth(const std::vector<std::string>& inputs, const DepthSource& source,
+                         const DepthViewsRequest& request);
+
+} // namespace integral
+
+#endif

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/depth/relief_pictures.h"
+
+#include "integral/base/number_text.h"
+#include "integral/depth/averaged.h"
+#include "integral/depth/stereo_pair.h"
+#include "integral/io/image_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace integral {
+namespace {
+
+/// The depths, equal in parallax, that `limit` mm behind the image plane implies before and behind
+/// it.
+GreyDepths depths_within(double limit, double distance)
+{
+    const double parallax = limit / (distance + limit);
+    return {-distance * parallax / (1 + parallax), limit};
+}
+
+/// Text of a depth: "3.8 mm behind it", or "in front of it".
+std::string depth_text(double mm, const std::string& plane)
+{
+    return with_decimals(std::fabs(mm), 1) + " mm " + (mm < 0 ? "in front of " : "behind ") + plane;
+}
+
+/// A map of pixels on a raster, for the picture with that index.
+ReliefMap relief_map(int width, int height, const PictureRaster& raster,
+                     std::vector<float> parallax, std::size_t picture)
+{
+    ReliefMap map;
+    map.width = width;
+    map.height = height;
+    map.places = raster.places();
+    map.parallax = std::move(parallax);
+    map.picture = picture;
+    return map;
+}
+
+/// Moves one of a pair's pictures, or its map, to its eye, and sideways by `shift` mm.
+template <class Seen> void place_at(Seen& seen, double eye, double shift)
+{
+    seen.eye = {eye, 0};
+    seen.places.first.x += shift;
+}
+
+/// What the user should know about a measured pair.
+void tell_pair(const std::string& name, const PairDisparity& pair, const GreyDepths& depths,
+               const ReliefRequest& request)
+{
+    constexpr double few = 0.5;
+    request.tell(name + ": depth is measured in the pair; nine tenths of it go from " +
+                 depth_text(depths.white, "the image plane") + " to " +
+                 depth_text(depths.black, "it"));
+    if (pair.matched < few)
+        request.tell(name + ": only " + with_decimals(100 * pair.matched, 0) +
+                     "% of the pixels match in both pictures; check that they show one scene from "
+                     "two places at the same height");
+}
+
+} // namespace
+
+PixelPlaces PictureRaster::places() const
+{
+    const double step = factor * pixel;
+    return {{-0.5 * size.x + 0.5 * step, 0.5 * size.y - 0.5 * step}, {step, 0}, {0, -step}};
+}
+
+PictureRaster raster_of(const Image& picture, const ReliefRequest& request)
+{
+    const double across = request.size.x / picture.width, down = request.size.y / picture.height;
+    PictureRaster raster;
+    raster.pixel = request.fit == Fit::cover ? std::max(across, down) : std::min(across, down);
+    raster.size = {picture.width * raster.pixel, picture.height * raster.pixel};
+    raster.factor = request.width > 0 ? reduction(picture, request.width) : 1;
+    return raster;
+}
+
+ReliefPicture relief_picture(const Image& picture, const PictureRaster& raster, int threads)
+{
+    const Image small = averaged(picture, raster.factor, threads);
+    ReliefPicture made;
+    made.width = small.width;
+    made.height = small.height;
+    made.places = raster.places();
+    const LinearReader light(small);
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            const Colour c = light(x, y);
+            made.light[0].push_back(c.r);
+            made.light[1].push_back(c.g);
+            made.light[2].push_back(c.b);
+        }
+    return made;
+}
+
+float parallax_of(double mm, double distance)
+{
+    if (std::isinf(mm) && mm > 0)
+        return 1;
+    return mm > -distance ? float(mm / (distance + mm)) : NAN;
+}
+
+std::vector<float> parallax_of_greys(const Image& picture, const GreyDepths& grey, double distance)
+{
+    const float white = parallax_of(grey.white, distance),
+                black = parallax_of(grey.black, distance);
+    if (!(std::isfinite(white) && std::isfinite(black)))
+        throw std::invalid_argument("its white or black is behind the eye");
+    std::vector<float> parallax;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            parallax.push_back(black + stored_pixel(picture, x, y).g * (white - black));
+    return parallax;
+}
+
+GreyDepths grey_depths(const std::string& path, const ReliefRequest& request)
+{
+    if (request.grey)
+        return *request.grey;
+    if (!(request.limit > 0))
+        throw std::invalid_argument(path + " is a grey picture: --depth-range WHITE,BLACK "
+                                           "tells which depths its white and black are");
+    const GreyDepths depths = depths_within(request.limit, request.distance);
+    request.tell(path + ": white is " + depth_text(depths.white, "the image plane") + ", black " +
+                 depth_text(depths.black, "it") + "; --depth-range WHITE,BLACK sets others");
+    return depths;
+}
+
+ReliefInput read_rgbd(const std::string& path, const ReliefRequest& request, int threads)
+{
+    const Image both = read_frame(path).image;
+    const int width = both.width / 2;
+    if (width < 1)
+        throw std::invalid_argument("it has no right half with depths");
+    const Image colours = part_of(both, 0, 0, width, both.height),
+                greys = part_of(both, both.width - width, 0, width, both.height);
+    const GreyDepths depths = grey_depths(path, request);
+    const PictureRaster raster = raster_of(colours, request);
+    const Image small = thinned(greys, raster.factor);
+    std::vector<ReliefPicture> pictures{relief_picture(colours, raster, threads)};
+    std::vector<ReliefMap> maps{relief_map(small.width, small.height, raster,
+                                           parallax_of_greys(small, depths, request.distance), 0)};
+    return {Relief(std::move(pictures), std::move(maps), request.distance, raster.size),
+            form_of(both)};
+}
+
+ReliefInput relief_of_pair(const std::string& name, Image left, Image right,
+                           const ReliefRequest& request, int threads, const Progress& progress)
+{
+    constexpr int map_width = 480; // pixels: of maps; the pictures may have more
+    if (left.width != right.width || left.height != right.height)
+        throw std::invalid_argument("its two pictures differ in size");
+    if (request.input.right_to_left)
+        std::swap(left, right);
+    PictureRaster raster = raster_of(left, request), of_maps = raster;
+    of_maps.factor = reduction(left, map_width);
+    PairDisparity pair = pair_disparity(averaged(left, of_maps.factor, threads),
+                                        averaged(right, of_maps.factor, threads), threads,
+                                        progress);
+    const GreyDepths depths = request.grey.value_or(depths_within(request.limit, request.distance));
+    tell_pair(name, pair, depths, request);
+    // A disparity d becomes the parallax (level - d) pixel / spacing: that of the given depths at
+    // both ends of the range.
+    if (!(depths.white < depths.black))
+        throw std::invalid_argument(
+            "--depth-range: a pair's nearest depth comes first, and is less "
+            "than its farthest");
+    const double pixel = of_maps.factor * raster.pixel,
+                 near = parallax_of(depths.white, request.distance),
+                 far = parallax_of(depths.black, request.distance),
+                 spacing = pixel * std::max(0.1, pair.range.greatest - pair.range.least) /
+                           std::max(1e-9, far - near),
+                 level = pair.range.greatest + near * spacing / pixel;
+    std::vector<ReliefPicture> pictures;
+    std::vector<ReliefMap> maps;
+    for (const double side : {-0.5, 0.5}) {
+        std::vector<float>& map = side < 0 ? pair.left : pair.right;
+        for (float& d : map)
+            d = float((level - d) * pixel / spacing);
+        pictures.push_back(relief_picture(side < 0 ? left : right, raster, threads));
+        maps.push_back(
+            relief_map(pair.width, pair.height, of_maps, std::move(map), pictures.size() - 1));
+        place_at(pictures.back(), side * spacing, side * level * pixel);
+        place_at(maps.back(), side * spacing, side * level * pixel);
+    }
+    // The rectangle that both pictures show.
+    const Vec2 size{std::max(pixel, raster.size.x - std::fabs(level) * pixel), raster.size.y};
+    return {Relief(std::move(pictures), std::move(maps), request.distance, size), form_of(left)};
+}
+
+} // namespace integral

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/depth/relief_views.h"
+
+#include "integral/base/interrupt.h"
+#include "integral/frame/view_eyes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace integral {
+namespace {
+
+/// Lines of sight a pixel needs one way, for pixels `pixel` mm wide.
+int lines_one_way(double pixel, const Relief& relief)
+{
+    return std::clamp(int(std::ceil(pixel / relief.pixel() - 0.5)), 1, 3);
+}
+
+/// The pixels of one view.
+class EyeView {
+public:
+    /// `part`: the distance of the relief's own eyes, divided by this eye's.
+    EyeView(const Relief& relief, Vec2 eye, double part, PixelSize size)
+        : relief_(relief),
+          eye_(eye),
+          part_(part),
+          raster_{size.width,
+                  size.height,
+                  {relief.size().x / size.width, relief.size().y / size.height}},
+          across_(lines_one_way(raster_.pixel_pitch.x, relief)),
+          down_(lines_one_way(raster_.pixel_pitch.y, relief))
+    {
+    }
+
+    Colour pixel(int x, int y, ReliefFigures& figures) const
+    {
+        Colour sum{0, 0, 0, 1};
+        const float weight = 1 / float(across_ * down_);
+        for (int k = 0; k < across_ * down_; ++k) {
+            const Vec2 place = film_from_pixel(
+                raster_, {x + (k % across_ + 0.5) / across_, y + (k / across_ + 0.5) / down_});
+            const Seen seen = relief_.along({place, place + part_ * (eye_ - place)});
+            figures.lines += 1;
+            figures.holes += seen.known ? 0 : 1;
+            sum.r += weight * seen.light.r;
+            sum.g += weight * seen.light.g;
+            sum.b += weight * seen.light.b;
+        }
+        return sum;
+    }
+
+private:
+    const Relief& relief_;
+    Vec2 eye_;
+    double part_;
+    Film raster_;
+    int across_, down_;
+};
+
+} // namespace
+
+ReliefViews views_of_relief(const Relief& relief, const EyeGrid& eyes, ViewGrid directions,
+                            PixelSize size, const Image& form, int threads,
+                            const Progress& progress)
+{
+    ReliefViews made;
+    ReliefTally tally;
+    for (int k = 0; k < directions.count(); ++k) {
+        Image& view = made.views.emplace_back(blank_like(form, size.width, size.height));
+        const EyeView eye_view(relief, eye_of_view(eyes, directions, k),
+                               relief.distance() / eyes.distance, size);
+        const auto row = [&](int y) {
+            ReliefFigures figures;
+            for (int x = 0; x < size.width; ++x)
+                store_linear(view, x, y, eye_view.pixel(x, y, figures));
+            tally.add(figures);
+        };
+        if (!for_each_row(size.height, threads, row, piece_of(progress, k, directions.count())))
+            throw Interrupted();
+    }
+    made.figures = tally.all();
+    return made;
+}
+
+} // namespace integral
