@@ -9,8 +9,8 @@
 #include "integral/depth/depth_quality.h"
 #include "integral/io/image_file.h"
 #include "integral/panel/interlace.h"
-#include "integral/sheet/panel.h"
 #include "integral/replay/replay.h"
+#include "integral/sheet/panel.h"
 #include "integral/views/view_input.h"
 
 #include <cstdio>

@@ -89,6 +89,7 @@ unit_sources = \
   tests/unit/frame_metadata.cpp \
   tests/unit/io_as_shown.cpp \
   tests/unit/io_device_text.cpp \
+  tests/unit/io_embedded_depth.cpp \
   tests/unit/io_html_page.cpp \
   tests/unit/io_image_files.cpp \
   tests/unit/io_jpeg_forms.cpp \

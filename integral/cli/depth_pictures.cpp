@@ -5,6 +5,7 @@
 #include "integral/cli/progress.h"
 #include "integral/cli/values.h"
 #include "integral/depth/relief_views.h"
+#include "integral/io/embedded_depth.h"
 #include "integral/replay/arrange.h"
 #include "integral/sheet/depth_advice.h"
 #include "integral/sheet/panel_quilt.h"
@@ -38,6 +39,24 @@ PixelSize size_of_view(const DepthViewsRequest& request, const PanelQuilt& quilt
             pixels(seen.y / panel.y, quilt.height / quilt.tiles.rows)};
 }
 
+/// Whether a file's name ends in rgbd, in any case, before its extension, as in photo_rgbd.png.
+bool is_rgbd_name(const std::string& path)
+{
+    const std::string end = "rgbd";
+    std::string name = path.substr(0, path.rfind('.'));
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char letter) { return char(std::tolower(letter)); });
+    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
+/// Where a picture has its own depth: "beside" it, by its name, or "inside" its file.
+std::optional<std::string> own_place(const std::string& path)
+{
+    if (is_rgbd_name(path))
+        return "beside";
+    return embedded_depth(path) ? std::optional<std::string>("inside") : std::nullopt;
+}
+
 ReliefRequest relief_request(const std::vector<std::string>& inputs, const DepthSource& source,
                              const DepthViewsRequest& request, const PanelQuilt& quilt)
 {
@@ -56,32 +75,30 @@ ReliefRequest relief_request(const std::vector<std::string>& inputs, const Depth
 
 } // namespace
 
-bool is_rgbd_name(const std::string& path)
+bool has_own_depth(const std::string& path, const DepthSource& source)
 {
-    const std::string end = "rgbd";
-    std::string name = path.substr(0, path.rfind('.'));
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char letter) { return char(std::tolower(letter)); });
-    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+    return source.depth ? source.depth == "beside" || source.depth == "inside"
+                        : own_place(path).has_value();
 }
 
 bool shows_by_depth(const std::vector<std::string>& inputs, const DepthSource& source)
 {
     if (source.depth)
         return *source.depth != "none";
-    return (inputs.size() == 1 && is_rgbd_name(inputs[0])) || is_pair_of_files(inputs);
+    return (inputs.size() == 1 && own_place(inputs[0])) || is_pair_of_files(inputs);
 }
 
 void set_depth_source(ReliefRequest& request, const std::vector<std::string>& inputs,
                       const DepthSource& source, const FrameMetadata& seen)
 {
     constexpr double otherwise = 0.02; // of the distance, for sheets without a depth budget
-    const std::string depth = source.depth.value_or(is_rgbd_name(inputs[0]) ? "beside"
-                                                                            : "measured");
-    request.beside = depth == "beside";
-    if (request.beside && inputs.size() > 1)
-        throw UsageError("--depth beside is for one picture with its depth to the right");
-    if (!request.beside && depth != "measured")
+    const std::string depth = source.depth.value_or(own_place(inputs[0]).value_or("measured"));
+    request.own = depth == "beside"   ? OwnDepth::beside
+                  : depth == "inside" ? OwnDepth::inside
+                                      : OwnDepth::none;
+    if (request.own != OwnDepth::none && inputs.size() > 1)
+        throw UsageError("--depth " + depth + " is for one picture");
+    if (request.own == OwnDepth::none && depth != "measured")
         request.depth_file = depth;
     if (source.range && depth == "measured" && !is_pair_of_files(inputs))
         throw UsageError("--depth-range is for grey depths and stereo pairs");

@@ -19,8 +19,9 @@ struct DepthSource {
     std::optional<std::string> depth, range;
 };
 
-/// Whether a file's name ends in rgbd, in any case, before its extension, as in photo_rgbd.png.
-bool is_rgbd_name(const std::string& path);
+/// Whether a picture brings its depth along, beside it or inside its file: as --depth says or,
+/// without it, by the file. Throws InputError.
+bool has_own_depth(const std::string& path, const DepthSource& source);
 
 /// Whether inputs are one picture with depth, or a stereo pair, whose views are to be drawn by
 /// depth: as --depth says or, without it, by an RGBD picture's name, or because there are two

@@ -7,9 +7,9 @@
 #include "integral/io/video.h"
 #include "integral/panel/panel_files.h"
 #include "integral/panel/panel_page.h"
+#include "integral/screen/screen_text.h"
 #include "integral/sheet/panel_render.h"
 #include "integral/sheet/panel_text.h"
-#include "integral/screen/screen_text.h"
 
 #include <chrono>
 #include <iostream>
@@ -23,11 +23,11 @@ void print(bool as_json, const Json& json, const std::string& text)
     std::cout << (as_json ? json.dump(2) + "\n" : text);
 }
 
-/// The inputs that make one image each: as PanelImages groups them, or each picture with its depth
-/// beside it.
+/// The inputs that make one image each: as PanelImages groups them, or each picture that brings its
+/// depth along.
 std::vector<Arguments> groups_of(const LcdOptions& o, const PanelImages& images)
 {
-    if (o.depth.depth != "beside" && (o.depth.depth || !is_rgbd_name(o.inputs[0])))
+    if (!has_own_depth(o.inputs[0], o.depth))
         return images.groups(o.inputs);
     std::vector<Arguments> groups;
     for (const std::string& input : o.inputs)
@@ -215,7 +215,7 @@ blue of it takes the colour of the view that it is seen in. INPUT is a quilt, or
 views: perspective pictures whose window lies on the panel, from eyes on a line across the
 viewing zone at the viewing distance, view 0 from the far left, or where the lenses lie across
 from the lowest eye (integral views --eyes makes such).
-Or it is a picture with depth (RGBD), or a stereo pair: views between and beyond are drawn by depth.
+Or it is a picture with depth (RGBD, a phone's), or a stereo pair: its views are drawn by depth.
 Or it is a frame: one rendered for the panel (--camera says how) is passed through to the bit; of
 any other the views of its own zone are drawn first. Several frames or quilts make several images.
 

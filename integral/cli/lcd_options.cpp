@@ -64,9 +64,12 @@ void declare(options::options_description& all, LcdOptions& o)
         "draw the views by depth, out of one picture or a stereo pair: beside (INPUT's right half "
         "has "
         "the depths of its left half as greys, near white; default for names that end in rgbd), "
-        "measured (default for two views: a pair in an .mpo or two files), FILE (a grey picture, "
+        "inside "
+        "(as phones store it in a .jpg; default where it is), measured (default for two views: a "
+        "pair "
+        "in an .mpo or two files), FILE (a grey picture, or .pfm or .exr of mm behind the panel); "
         "or "
-        ".pfm or .exr of mm behind the panel); or none: show a pair as two views");
+        "none: show a pair as two views");
     add(all, "depth-range", o.depth.range, "WHITE,BLACK",
         "depths, mm behind the panel, of white and black, or of a pair's nearest and farthest "
         "parts "

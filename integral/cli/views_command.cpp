@@ -41,12 +41,15 @@ void declare(options::options_description& all, ViewsOptions& o)
         "beside "
         "(the picture's right half has the depths of its left half as greys, near white; default "
         "for "
-        "names that end in rgbd), measured (default for two views: a pair in an .mpo or two "
-        "files), "
-        "or FILE (a grey picture, .pfm of mm behind the sheet, a depth frame). With --to-frame: "
-        "make "
-        "the frame by depth, for another sheet and film, also out of a frame or views of eyes, in "
-        "which depth is measured as integral depth does");
+        "names that end in rgbd), inside (as phones store it in a .jpg; default where it is), "
+        "measured "
+        "(default for two views: a pair in an .mpo or two files), or FILE (a grey picture, .pfm of "
+        "mm "
+        "behind the sheet, a depth frame). With --to-frame: make the frame by depth, for another "
+        "sheet "
+        "and film, also out of a frame or views of eyes, in which depth is measured as integral "
+        "depth "
+        "does");
     add(all, "depth-range", o.depth.range, "WHITE,BLACK",
         "the depths, mm behind the sheet, of white and black in grey depths, or of a pair's "
         "nearest "
@@ -171,7 +174,8 @@ lens, one view for each direction (thesis 5.3). They stand in one picture, a qui
 from the far left and below, at the bottom left, the last at the top right. With whole
 pixels a lens nothing is lost, and --to-frame gives the frame back to the bit. Quilts and
 files carry the frame's geometry, so that nothing else has to be said on the way back;
-other programs' need --sheet.
+other programs' need --sheet. Of a picture with depth (RGBD, a phone's) and of a stereo pair
+it draws the views that eyes before a --panel see.
 )",
     1,
     most_views_a_side* most_views_a_side,

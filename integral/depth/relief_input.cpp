@@ -6,6 +6,7 @@
 #include "integral/depth/relief_pictures.h"
 #include "integral/frame/quilt_name.h"
 #include "integral/io/codecs.h"
+#include "integral/io/embedded_depth.h"
 #include "integral/io/image_file.h"
 #include "integral/io/pfm_file.h"
 
@@ -130,7 +131,7 @@ ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded
         map.height = file.height;
         mm = std::move(file.values);
     } else {
-        const GreyDepths depths = grey_depths(path, request);
+        const GreyDepths depths = grey_depths(path, "white", "black", request);
         const Image picture = read_frame(path).image;
         map.width = picture.width;
         map.height = picture.height;
@@ -142,11 +143,8 @@ ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded
                                             request.fit);
     if (on_picture.differs())
         request.tell(path + ": " + fit_text(on_picture, "the picture", "no depth"));
-    const Vec2 pixel{on_picture.size.x * size.x / map.width,
-                     on_picture.size.y * size.y / map.height};
-    map.places = {{-0.5 * (map.width - 1) * pixel.x, 0.5 * (map.height - 1) * pixel.y},
-                  {pixel.x, 0},
-                  {0, -pixel.y}};
+    map.places = places_over({on_picture.size.x * size.x, on_picture.size.y * size.y}, map.width,
+                             map.height);
     return map;
 }
 
@@ -216,11 +214,11 @@ bool is_pair_of_files(const std::vector<std::string>& inputs)
 {
     if (inputs.size() == 1)
         return is_list_of_views(inputs[0]) && read_list_of_views(inputs[0], 3).size() == 2;
-    const auto has_geometry = [](const std::string& input) {
+    const auto is_no_view = [](const std::string& input) {
         return quilt_in_name(input) || ViewsReader(input, false).head().metadata ||
-               FrameReader(input).frame().metadata;
+               FrameReader(input).frame().metadata || embedded_depth(input);
     };
-    return inputs.size() == 2 && std::none_of(inputs.begin(), inputs.end(), has_geometry);
+    return inputs.size() == 2 && std::none_of(inputs.begin(), inputs.end(), is_no_view);
 }
 
 Relief measured_relief(const DepthInput& input, DepthQuality quality, int threads,
@@ -235,8 +233,8 @@ Relief measured_relief(const DepthInput& input, DepthQuality quality, int thread
 ReliefInput read_relief(const std::vector<std::string>& inputs, const ReliefRequest& request,
                         int threads, const Progress& progress)
 {
-    if (request.beside && inputs.size() == 1)
-        return read_rgbd(inputs[0], request, threads);
+    if (request.own != OwnDepth::none && inputs.size() == 1)
+        return read_own_depth(inputs[0], request, threads);
     if (is_photograph(inputs, request))
         return read_photograph(inputs[0], request, threads);
     if (auto pair = pair_in(inputs, request))

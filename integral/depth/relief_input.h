@@ -19,10 +19,17 @@ struct GreyDepths {
     double white = 0, black = 0;
 };
 
+/// Depth that a picture brings along.
+enum class OwnDepth {
+    none,
+    beside, ///< greys in its right half (RGBD)
+    inside  ///< in its file, as phones store it (embedded_depth.h)
+};
+
 struct ReliefRequest {
     DepthRequest input;
     std::string depth_file;                    ///< "": depth is measured
-    bool beside = false; ///< depths are greys in the right half of the one input; no depth_file
+    OwnDepth own = OwnDepth::none;             ///< of the one input; then depth_file is not used
     std::optional<GreyDepths> grey; ///< of grey depths, and of a pair's nearest and farthest
                                     ///< twentieth
     double limit = 0; ///< mm behind the sheet, where `grey` is missing: of black; white is as far

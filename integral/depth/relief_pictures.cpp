@@ -4,6 +4,7 @@
 #include "integral/base/number_text.h"
 #include "integral/depth/averaged.h"
 #include "integral/depth/stereo_pair.h"
+#include "integral/io/embedded_depth.h"
 #include "integral/io/image_file.h"
 
 #include <algorithm>
@@ -47,6 +48,30 @@ template <class Seen> void place_at(Seen& seen, double eye, double shift)
     seen.places.first.x += shift;
 }
 
+/// A picture, and its depths as greys.
+struct ColoursAndDepth {
+    Image colours, greys;
+};
+
+ColoursAndDepth halves_of(const std::string& path)
+{
+    const Image both = read_frame(path).image;
+    const int width = both.width / 2;
+    if (width < 1)
+        throw std::invalid_argument("it has no right half with depths");
+    return {part_of(both, 0, 0, width, both.height),
+            part_of(both, both.width - width, 0, width, both.height)};
+}
+
+ColoursAndDepth photograph_of(const std::string& path)
+{
+    auto greys = embedded_depth(path);
+    if (!greys)
+        throw std::invalid_argument("it has no depth inside, as phones store it; --depth FILE or "
+                                    "--depth beside name another place");
+    return {read_frame(path).image, std::move(*greys)};
+}
+
 /// What the user should know about a measured pair.
 void tell_pair(const std::string& name, const PairDisparity& pair, const GreyDepths& depths,
                const ReliefRequest& request)
@@ -67,6 +92,13 @@ PixelPlaces PictureRaster::places() const
 {
     const double step = factor * pixel;
     return {{-0.5 * size.x + 0.5 * step, 0.5 * size.y - 0.5 * step}, {step, 0}, {0, -step}};
+}
+
+PixelPlaces places_over(Vec2 size, int width, int height)
+{
+    const Vec2 pixel{size.x / width, size.y / height};
+    return {
+        {-0.5 * (width - 1) * pixel.x, 0.5 * (height - 1) * pixel.y}, {pixel.x, 0}, {0, -pixel.y}};
 }
 
 PictureRaster raster_of(const Image& picture, const ReliefRequest& request)
@@ -117,7 +149,8 @@ std::vector<float> parallax_of_greys(const Image& picture, const GreyDepths& gre
     return parallax;
 }
 
-GreyDepths grey_depths(const std::string& path, const ReliefRequest& request)
+GreyDepths grey_depths(const std::string& path, const std::string& white, const std::string& black,
+                       const ReliefRequest& request)
 {
     if (request.grey)
         return *request.grey;
@@ -125,27 +158,29 @@ GreyDepths grey_depths(const std::string& path, const ReliefRequest& request)
         throw std::invalid_argument(path + " is a grey picture: --depth-range WHITE,BLACK "
                                            "tells which depths its white and black are");
     const GreyDepths depths = depths_within(request.limit, request.distance);
-    request.tell(path + ": white is " + depth_text(depths.white, "the image plane") + ", black " +
-                 depth_text(depths.black, "it") + "; --depth-range WHITE,BLACK sets others");
+    request.tell(path + ": " + white + " is " + depth_text(depths.white, "the image plane") + ", " +
+                 black + " " + depth_text(depths.black, "it") +
+                 "; --depth-range WHITE,BLACK sets others");
     return depths;
 }
 
-ReliefInput read_rgbd(const std::string& path, const ReliefRequest& request, int threads)
+ReliefInput read_own_depth(const std::string& path, const ReliefRequest& request, int threads)
 {
-    const Image both = read_frame(path).image;
-    const int width = both.width / 2;
-    if (width < 1)
-        throw std::invalid_argument("it has no right half with depths");
-    const Image colours = part_of(both, 0, 0, width, both.height),
-                greys = part_of(both, both.width - width, 0, width, both.height);
-    const GreyDepths depths = grey_depths(path, request);
-    const PictureRaster raster = raster_of(colours, request);
-    const Image small = thinned(greys, raster.factor);
-    std::vector<ReliefPicture> pictures{relief_picture(colours, raster, threads)};
-    std::vector<ReliefMap> maps{relief_map(small.width, small.height, raster,
-                                           parallax_of_greys(small, depths, request.distance), 0)};
+    ColoursAndDepth picture = request.own == OwnDepth::beside ? halves_of(path)
+                                                              : photograph_of(path);
+    const GreyDepths depths = request.own == OwnDepth::beside
+                                  ? grey_depths(path, "white", "black", request)
+                                  : grey_depths(path, "the nearest depth", "the farthest", request);
+    const PictureRaster raster = raster_of(picture.colours, request);
+    const Image greys = thinned(picture.greys,
+                                raster.factor > 1 ? reduction(picture.greys, request.width) : 1);
+    std::vector<ReliefPicture> pictures{relief_picture(picture.colours, raster, threads)};
+    ReliefMap map = relief_map(greys.width, greys.height, raster,
+                               parallax_of_greys(greys, depths, request.distance), 0);
+    map.places = places_over(raster.size, greys.width, greys.height);
+    std::vector<ReliefMap> maps{std::move(map)};
     return {Relief(std::move(pictures), std::move(maps), request.distance, raster.size),
-            form_of(both)};
+            form_of(picture.colours)};
 }
 
 ReliefInput relief_of_pair(const std::string& name, Image left, Image right,

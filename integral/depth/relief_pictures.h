@@ -16,6 +16,9 @@ struct PictureRaster {
     PixelPlaces places() const; ///< of the reduced picture's pixels
 };
 
+/// Places of the pixels of a map that covers a centred rectangle of that size, mm.
+PixelPlaces places_over(Vec2 size, int width, int height);
+
 /// The raster of a picture that fits request.size as request.fit says; stretch is as contain.
 PictureRaster raster_of(const Image& picture, const ReliefRequest& request);
 
@@ -30,11 +33,13 @@ std::vector<float> parallax_of_greys(const Image& picture, const GreyDepths& gre
 float parallax_of(double mm, double distance);
 
 /// The depths for white and black that the request gives, or that its limit implies; tells the
-/// latter to the user.
-GreyDepths grey_depths(const std::string& path, const ReliefRequest& request);
+/// latter to the user. `white`, `black`: their names in that message.
+GreyDepths grey_depths(const std::string& path, const std::string& white, const std::string& black,
+                       const ReliefRequest& request);
 
-/// Reads a picture whose right half contains the depths of its left half as greys.
-ReliefInput read_rgbd(const std::string& path, const ReliefRequest& request, int threads);
+/// Reads a picture with the depth that request.own describes. Throws InputError, and
+/// std::invalid_argument if there is no such depth.
+ReliefInput read_own_depth(const std::string& path, const ReliefRequest& request, int threads);
 
 /// Makes a relief of a pair of views, and tells the user about its depth. Nine tenths of it are put
 /// within request.limit of the image plane. Throws std::invalid_argument, Interrupted.

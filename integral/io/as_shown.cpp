@@ -59,10 +59,9 @@ private:
 /// Turns and mirrors a picture to be upright.
 class UprightReader : public RowReader {
 public:
-    explicit UprightReader(std::unique_ptr<RowReader> stored) : stored_(std::move(stored))
+    UprightReader(std::unique_ptr<RowReader> stored, int orientation) : stored_(std::move(stored))
     {
         head_ = stored_->head();
-        const int orientation = head_.orientation;
         lies_ = orientation >= 5;
         from_right_ = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
         from_below_ = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
@@ -127,9 +126,15 @@ std::unique_ptr<RowReader> in_working_space(std::unique_ptr<RowReader> stored)
 std::unique_ptr<RowReader> as_shown(std::unique_ptr<RowReader> stored)
 {
     auto reader = in_working_space(std::move(stored));
-    if (reader->head().orientation == 1)
-        return reader;
-    return std::make_unique<UprightReader>(std::move(reader));
+    const int orientation = reader->head().orientation;
+    return turned(std::move(reader), orientation);
+}
+
+std::unique_ptr<RowReader> turned(std::unique_ptr<RowReader> stored, int orientation)
+{
+    if (orientation == 1)
+        return stored;
+    return std::make_unique<UprightReader>(std::move(stored), orientation);
 }
 
 ToWorkingSpace cmyk_conversion(const std::string& profile, Inks inks, int bits, RowReader& reader)

@@ -13,6 +13,10 @@ namespace integral {
 /// whole. A profile that cannot be used is ignored, with a notice.
 std::unique_ptr<RowReader> as_shown(std::unique_ptr<RowReader> stored);
 
+/// A reader of the picture turned by an orientation, 1 to 8, whatever its own is. Returns `stored`
+/// itself for 1.
+std::unique_ptr<RowReader> turned(std::unique_ptr<RowReader> stored, int orientation);
+
 /// The conversion of CMYK pixels from their profile. Without a usable profile, returns the
 /// conversion for "" and adds a notice to `reader`.
 ToWorkingSpace cmyk_conversion(const std::string& profile, Inks inks, int bits, RowReader& reader);

@@ -10,6 +10,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/codecs.h \
   integral/io/device_text.cpp \
   integral/io/device_text.h \
+  integral/io/embedded_depth.cpp \
+  integral/io/embedded_depth.h \
   integral/io/embedded_profile.cpp \
   integral/io/embedded_profile.h \
   integral/io/exif.cpp \

@@ -6,9 +6,10 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/json_fields.h"
 #include "integral/io/codecs.h"
+#include "integral/io/markup.h"
 #include "integral/io/mpo_file.h"
-#include "integral/sheet/panel.h"
 #include "integral/print/colour_profile.h"
+#include "integral/sheet/panel.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -272,6 +273,33 @@ std::vector<Bytes> jpeg_seeds()
             seeds.push_back("\xff\xd8\xff\xe2" + Bytes{char(size >> 8), char(size)} +
                             Bytes("ICC_PROFILE\0\1\1", 14) + profile + seeds[0].substr(2));
         }
+    return and_halves(seeds);
+}
+
+/// JPEGs with depth inside, as phones store it: as text in the metadata, and behind the photograph.
+std::vector<Bytes> phone_seeds()
+{
+    std::vector<Bytes> seeds;
+    const auto segment = [](const Bytes& content) {
+        const std::size_t size = content.size() + 2;
+        return "\xff\xe1" + Bytes{char(size >> 8), char(size)} + content;
+    };
+    const Bytes name("http://ns.adobe.com/xap/1.0/\0", 29);
+    for (const DecodedImage& picture : pictures()) {
+        const Bytes jpeg = encode_jpeg(picture.image, 50);
+        for (const char* format : {"RangeInverse", "RangeLinear"})
+            seeds.push_back(jpeg.substr(0, 2) +
+                            segment(name + "<a GDepth:Format=\"" + format +
+                                    "\" GDepth:Near=\"1\" GDepth:Far=\"3\" GDepth:Data=\"" +
+                                    base64(jpeg) + "\"/>") +
+                            jpeg.substr(2));
+        seeds.push_back(jpeg.substr(0, 2) +
+                        segment(name +
+                                "<a Item:Mime=\"\"/><a Item:Mime=\"\" Item:Semantic=\"Depth\" "
+                                "Item:Length=\"" +
+                                std::to_string(jpeg.size()) + "\"/>") +
+                        jpeg.substr(2) + jpeg);
+    }
     return and_halves(seeds);
 }
 

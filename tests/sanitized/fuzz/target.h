@@ -36,8 +36,8 @@ std::string file_of(const Bytes& bytes, int slot = 0);
 std::string scratch_path(const std::string& name);
 
 // Seeds (seeds.cpp).
-std::vector<Bytes> png_seeds(), exr_seeds(), tiff_seeds(), jpeg_seeds(), depth_seeds(),
-    sheet_seeds(), profile_seeds(), command_seeds();
+std::vector<Bytes> png_seeds(), exr_seeds(), tiff_seeds(), jpeg_seeds(), phone_seeds(),
+    depth_seeds(), sheet_seeds(), profile_seeds(), command_seeds();
 std::vector<Bytes> panel_seeds(), tolerance_seeds(), manifest_seeds(), float_map_seeds(),
     mesh_seeds(), layer_stack_seeds(), response_seeds();
 

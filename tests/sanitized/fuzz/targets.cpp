@@ -6,14 +6,15 @@
 #include "integral/batch/manifest.h"
 #include "integral/compare/compare.h"
 #include "integral/compare/tolerances.h"
+#include "integral/io/embedded_depth.h"
 #include "integral/io/image_file.h"
 #include "integral/io/layer_stack.h"
 #include "integral/io/pfm_file.h"
 #include "integral/laboratory/response.h"
-#include "integral/sheet/panel.h"
 #include "integral/print/colour_profile.h"
 #include "integral/replay/replay.h"
 #include "integral/sheet/camera_words.h"
+#include "integral/sheet/panel.h"
 #include "integral/sheet/scene_depth_report.h"
 #include "integral/wireframe/obj_file.h"
 
@@ -54,6 +55,8 @@ void read_views_of_file(const Bytes& bytes)
     read_list_of_views(file_of(bytes));
     read_picture(bytes);
 }
+
+void read_embedded_depth(const Bytes& bytes) { embedded_depth(file_of(bytes)); }
 
 void read_depth_frame(const Bytes& bytes)
 {
@@ -320,6 +323,19 @@ const std::vector<Bytes> jpeg_words = {"\xff\xd8", "\xff\xd9", "\xff\xe1",    "\
                                        "\xff\xc0", "\xff\xc2", "\xff\xdd",    "\xff\xda",
                                        "MPF",      "MM",       "\xb0\x01",    "\xb0\x02",
                                        "Exif",     "Adobe",    "\xff\xff\xff"};
+const std::vector<Bytes> phone_words = {"http://ns.adobe.com/xap/1.0/",
+                                        "http://ns.adobe.com/xmp/extension/",
+                                        "GDepth:Data=\"",
+                                        "GDepth:Format=\"RangeLinear\"",
+                                        "GDepth:Near=\"",
+                                        "GDepth:Far=\"",
+                                        "Item:Mime=\"",
+                                        "Item:Length=\"",
+                                        "Item:Semantic=\"Depth\"",
+                                        "\xff\xe1",
+                                        "1e300",
+                                        "<",
+                                        ">"};
 const std::vector<Bytes> profile_words = {"acsp", "prtr", "mntr", "spac", "RGB ", "CMYK", "Lab ",
                                           "XYZ ", "A2B0", "B2A0", "rTRC", "gXYZ", "wtpt", "curv",
                                           "para", "mft1", "mft2", "mAB ", "mBA ", "desc"};
@@ -349,6 +365,7 @@ const std::vector<Target> targets = {
     {"exr", read_views_of_file, exr_seeds, exr_words},
     {"tiff", read_picture, tiff_seeds, tiff_words},
     {"jpeg", read_views_of_file, jpeg_seeds, jpeg_words},
+    {"phone", read_embedded_depth, phone_seeds, phone_words},
     {"depths", read_depth_frame, depth_seeds, exr_words},
     {"sheet", read_sheet, sheet_seeds, json_words},
     {"panel", read_panel, panel_seeds, panel_words},
