@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral depth: depths of everything shown in a frame or a set of views.
+#include "integral/base/file_bytes.h"
 #include "integral/base/number_text.h"
 #include "integral/cli/command.h"
 #include "integral/cli/fit_options.h"
@@ -30,7 +31,7 @@ struct DepthOptions : CommonOptions {
     std::optional<std::string> output, method, quality, views, eyes, range, truth, sheet;
     std::optional<std::string> refocus, pupil;
     std::optional<int> width, border;
-    bool top_first = false, rgbd = false, json = false;
+    bool as_disparity = false, top_first = false, rgbd = false, json = false;
     ViewOrderOptions given_views;
     ThreadOptions threads;
 };
@@ -40,6 +41,8 @@ void declare(options::options_description& all, DepthOptions& o)
     add(all, "output,o", o.output, "FILE",
         "the depth map: .png (in colours, with a scale), .exr or .pfm (mm behind the sheet; "
         "disparities where mm are not known), .ply (a cloud of points)");
+    add(all, "disparity", o.as_disparity,
+        "write disparities, in place of mm, to .pfm and to channel Y of .exr");
     add(all, "rgbd", o.rgbd,
         "write the middle view and, to its right, its depth in greys, near white: for programs "
         "that make views of the two; .png or .tiff");
@@ -65,10 +68,10 @@ void declare(options::options_description& all, DepthOptions& o)
         "the views' first row is the one from above, as in the HCI light-field benchmark, in place "
         "of the one from below, as in quilts");
     declare(all, o.given_views);
-    add(all, "eyes", o.eyes, "SPACING,DISTANCE,WIDTH",
-        "where views were taken from that do not say it, in mm: between neighbouring eyes, from "
-        "there to the plane without parallax, and how wide a view is there. Without it depth is in "
-        "disparities");
+    add(all, "eyes", o.eyes, "ACROSS[,UP],DISTANCE,WIDTH",
+        "where views were taken from that do not say it, in mm: between neighbouring eyes (UP: "
+        "between rows, by default ACROSS), from there to the plane without parallax, and how wide "
+        "a view is there. Without it depth is in disparities");
     add(all, "truth", o.truth, "FILE",
         "score the map against the depths of the frame or the quilt (.exr, Integral_Depth_Image) "
         "or true disparities (.pfm)");
@@ -89,11 +92,12 @@ DepthRequest request_of(const DepthOptions& o)
     request.right_to_left = o.given_views.right_to_left;
     request.sheet = o.sheet.value_or("");
     if (o.eyes) {
-        const auto mm = parse_numbers("eyes", *o.eyes, "SPACING,DISTANCE,WIDTH", 3, 3);
+        const auto mm = parse_numbers("eyes", *o.eyes, "ACROSS[,UP],DISTANCE,WIDTH", 3, 4);
         for (const double length : mm)
             if (!(length > 0))
                 throw UsageError("--eyes " + *o.eyes + ": lengths greater than 0 are expected");
-        request.eyes = ViewEyes{{mm[0], mm[0]}, mm[1], mm[2]};
+        const std::size_t rest = mm.size() - 2;
+        request.eyes = ViewEyes{{mm[0], mm[rest - 1]}, mm[rest], mm[rest + 1]};
     }
     return request;
 }
@@ -137,6 +141,12 @@ void print_figures(const DepthOptions& o, const DepthInput& input, const DepthMa
     std::cout << (o.json ? figures_json(figures).dump(2) + "\n" : figures_text(figures));
 }
 
+bool holds_numbers(const std::string& path)
+{
+    const std::string extension = extension_of(path);
+    return extension == "pfm" || extension == "exr";
+}
+
 void check_options(const DepthOptions& o)
 {
     if (!o.output && !o.truth)
@@ -147,6 +157,8 @@ void check_options(const DepthOptions& o)
         throw UsageError("--quality is for multibaseline, not for --method raytrace");
     if (o.rgbd && (!o.output || format_for(*o.output) == ImageFormat::exr))
         throw UsageError("--rgbd needs -o FILE.png or .tiff");
+    if (o.as_disparity && (o.rgbd || !o.output || !holds_numbers(*o.output)))
+        throw UsageError("--disparity needs -o FILE.pfm or .exr");
     if (o.refocus.has_value() != o.pupil.has_value())
         throw UsageError("--refocus MM and --pupil MM go together: depth and width of the focus");
     if (o.refocus && (!o.output || o.truth || o.rgbd || o.method || o.range || o.json))
@@ -174,7 +186,7 @@ std::optional<DepthMap> measured(const DepthOptions& o, const ViewSet& views,
 void write(const DepthOptions& o, const UprightMap& map)
 {
     if (!o.rgbd)
-        return write_depth(*o.output, map);
+        return write_depth(*o.output, map, o.as_disparity);
     const DisparityRange range = write_rgbd(*o.output, map);
     const auto text = [&](double disparity) {
         return map.scale ? with_decimals(map.scale->mm(disparity), 1) + " mm behind the sheet"
@@ -282,7 +294,7 @@ int run(const DepthOptions& o)
 const Command depth_command = {
     "depth",
     "the depth of what a frame or a set of views shows, as a map or points",
-    "FRAME -o DEPTH | VIEWS... -o DEPTH [--views CxR] [--eyes SPACING,DISTANCE,WIDTH]",
+    "FRAME -o DEPTH | VIEWS... -o DEPTH [--views CxR] [--eyes ACROSS[,UP],DISTANCE,WIDTH]",
     R"(Measures how far behind or in front of the sheet everything is that a frame shows (thesis
 5.4.4), from the many views that its lenses give: a point that is nearer or farther stands
 elsewhere in each of them. It also takes a quilt, or the files of views. The map shows what

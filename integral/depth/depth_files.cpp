@@ -3,6 +3,7 @@
 
 #include "integral/base/file_bytes.h"
 #include "integral/depth/depth_picture_scale.h"
+#include "integral/frame/depth_attribute.h"
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
 #include "integral/io/pfm_file.h"
@@ -99,7 +100,7 @@ std::string ply_of(const UprightMap& map)
            points;
 }
 
-std::string exr_of(const UprightMap& map)
+std::string exr_of(const UprightMap& map, bool as_disparity)
 {
     std::vector<float> depths = map.depths(), disparity = map.disparity, known;
     for (std::size_t i = 0; i < depths.size(); ++i) {
@@ -107,10 +108,14 @@ std::string exr_of(const UprightMap& map)
         if (known.back() == 0)
             depths[i] = disparity[i] = 0;
     }
-    return encode_floats(
-        map.width, map.height,
-        {{"A", &known}, {"Z", &depths}, {"confidence", &map.confidence}, {"disparity", &disparity}},
-        "");
+    const bool in_mm = map.scale && !as_disparity;
+    return encode_depths(map.width, map.height,
+                         {{"A", &known},
+                          {"Y", in_mm ? &depths : &disparity},
+                          {"Z", &depths},
+                          {"confidence", &map.confidence},
+                          {"disparity", &disparity}},
+                         in_mm ? depth_in_mm : depth_as_disparity, "");
 }
 
 } // namespace
@@ -153,13 +158,13 @@ bool is_depth_file(const std::string& path)
     return extension == "pfm" || extension == "exr" || extension == "png" || extension == "ply";
 }
 
-void write_depth(const std::string& path, const UprightMap& map)
+void write_depth(const std::string& path, const UprightMap& map, bool as_disparity)
 {
     const std::string extension = extension_of(path);
     if (extension == "pfm")
-        write_pfm(path, {map.width, map.height, map.depths()});
+        write_pfm(path, {map.width, map.height, as_disparity ? map.disparity : map.depths()});
     else if (extension == "exr")
-        write_file(path, exr_of(map));
+        write_file(path, exr_of(map, as_disparity));
     else if (extension == "ply")
         write_file(path, ply_of(map));
     else

@@ -32,11 +32,12 @@ UprightMap upright_map(const ViewSet& views, const DepthMap& map, double width_m
 /// Range of a map's known disparities without the lowest and the highest 0.5%.
 DisparityRange shown_range(const UprightMap& map);
 
-/// Writes a map in the format of its name: .pfm (depths(); NaN where nothing is known), .exr
-/// (channels Z: depths(), A: 1 or 0 where nothing is known, disparity, confidence), .png (coloured,
-/// with a scale), .ply (points in mm with colours; x right, y up, z behind the sheet). Throws
-/// OutputError; std::invalid_argument if a .ply is requested of a map without millimetres.
-void write_depth(const std::string& path, const UprightMap& map);
+/// Writes a map in the format of its name: .pfm (depths(), or disparities if `as_disparity`; NaN
+/// where nothing is known), .exr (channels Z: depths(), Y: the values of a .pfm, A: 1 or 0 where
+/// nothing is known, disparity, confidence), .png (coloured, with a scale), .ply (points in mm with
+/// colours; x right, y up, z behind the sheet). Throws OutputError; std::invalid_argument if a .ply
+/// is requested of a map without millimetres.
+void write_depth(const std::string& path, const UprightMap& map, bool as_disparity);
 
 /// Writes colours and, to their right, depths as greys: white at the near end of shown_range(),
 /// black at the far end and where nothing is known. Equal steps of grey are equal steps of

@@ -2,6 +2,7 @@
 # Sources of integral/frame: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/frame/depth_attribute.h \
   integral/frame/depth_range.cpp \
   integral/frame/depth_range.h \
   integral/frame/encoding.h \

@@ -146,10 +146,10 @@ struct NamedFloats {
     const std::vector<float>* values;
 };
 
-/// Encodes `channels`, each of width x height values, as an OpenEXR file. An empty document is not
-/// written. Throws std::runtime_error.
-std::string encode_floats(int width, int height, const std::vector<NamedFloats>& channels,
-                          const std::string& document);
+/// Encodes `channels` of depths, each of width x height values, as an OpenEXR file. `unit`: of
+/// channel Y (depth_attribute.h). An empty document is not written. Throws std::runtime_error.
+std::string encode_depths(int width, int height, const std::vector<NamedFloats>& channels,
+                          const char* unit, const std::string& document);
 
 /// Writes a picture row by row, from the top.
 class RowWriter {

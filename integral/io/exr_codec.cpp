@@ -2,6 +2,7 @@
 // OpenEXR: the document in a string attribute `integral`, the resolution in xDensity and
 // pixelAspectRatio; samples are linear and premultiplied by alpha.
 #include "integral/base/memory.h"
+#include "integral/frame/depth_attribute.h"
 #include "integral/io/codecs.h"
 #include "integral/io/exr_header.h"
 #include "integral/io/exr_stream.h"
@@ -343,12 +344,13 @@ DecodedDepths decode_depths(const std::string& bytes)
     return guarded([&] { return decode_z(InputFile::of_bytes(bytes)); });
 }
 
-std::string encode_floats(int width, int height, const std::vector<NamedFloats>& channels,
-                          const std::string& document)
+std::string encode_depths(int width, int height, const std::vector<NamedFloats>& channels,
+                          const char* unit, const std::string& document)
 {
     return guarded([&] {
         Imf::Header header(width, height);
         header.compression() = Imf::ZIP_COMPRESSION;
+        header.insert(depth_attribute, Imf::StringAttribute(unit));
         if (!document.empty())
             header.insert(attribute, Imf::StringAttribute(document));
         Imf::FrameBuffer source;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/exr_views.h"
 
+#include "integral/frame/depth_attribute.h"
+
 #include <ImfChannelList.h>
 #include <ImfMultiView.h>
 #include <ImfPartType.h>
@@ -117,6 +119,9 @@ std::string main_layer(const std::vector<std::string>& layers)
                              "; save the one that is meant by itself");
 }
 
+/// Whether channel Y of a part contains depths.
+bool has_depths(const Imf::Header& header) { return header.find(depth_attribute) != header.end(); }
+
 /// The groups that have colours; if there are none, the grey groups.
 std::vector<Group> pictures_of(const std::vector<Imf::Header>& headers)
 {
@@ -124,7 +129,7 @@ std::vector<Group> pictures_of(const std::vector<Imf::Header>& headers)
     for (Group& group : groups_of(headers))
         if (group.is_colour())
             colours.push_back(std::move(group));
-        else if (group.is_grey())
+        else if (group.is_grey() && !has_depths(headers[std::size_t(group.part)]))
             greys.push_back(std::move(group));
     if (colours.empty() && greys.empty())
         throw std::runtime_error("it has no channels R, G and B");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/frame/depth_attribute.h"
 #include "integral/io/codecs.h"
 #include "integral/io/image_file.h"
 
@@ -170,8 +171,9 @@ void write_depths(const std::string& path, const DepthFrame& frame)
     const Film& film = frame.metadata.film;
     std::string bytes;
     try {
-        bytes = encode_floats(film.width, film.height, {{"Z", &frame.depth}, {"A", &frame.imaged}},
-                              to_json(frame.metadata));
+        bytes = encode_depths(film.width, film.height,
+                              {{"Z", &frame.depth}, {"Y", &frame.depth}, {"A", &frame.imaged}},
+                              depth_in_mm, to_json(frame.metadata));
     } catch (const std::exception& error) {
         throw OutputError(path + ": " + reason_of(error));
     }

@@ -12,6 +12,7 @@
 #include "base/types.h"
 #include "integral/base/atomic_file.h"
 #include "integral/base/file_bytes.h"
+#include "integral/frame/depth_attribute.h"
 
 #include <cerrno>
 #include <cmath>
@@ -27,6 +28,7 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
 #endif
 
 // this must be the last file included
@@ -132,12 +134,14 @@ std::string Write_Integral_Depth(const std::string& file, int width, int height,
         Imf::Header header(width, height);
         Set_Integral_EXR(header);
         header.insert("eyeDistances", Imf::FloatVectorAttribute(distances));
-        header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
-        header.channels().insert("A", Imf::Channel(Imf::FLOAT));
+        header.insert(integral::depth_attribute, Imf::StringAttribute(integral::depth_in_mm));
+        for (const char *name : {"Z", "Y", "A"})
+            header.channels().insert(name, Imf::Channel(Imf::FLOAT));
         Imf::FrameBuffer buffer;
         const std::size_t step = sizeof(float);
-        buffer.insert(
-            "Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(z.data()), step, step * width));
+        for (const char *name : {"Z", "Y"})
+            buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(z.data()), step,
+                                           step * width));
         buffer.insert("A", Imf::Slice(Imf::FLOAT, reinterpret_cast<char *>(alpha.data()), step,
                                       step * width));
         WholeEXR whole(file);

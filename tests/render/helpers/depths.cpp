@@ -3,7 +3,9 @@
 //
 // depths count FILE    prints "WIDTHxHEIGHT, SEEN with a surface, OPEN without, EMPTY"
 // depths range FILE    prints the least and the greatest depth of a surface, mm
-// depths pixels FILE   prints for every pixel, row by row, a line with its depth, "inf" or "empty"
+// depths pixels FILE [CHANNEL]
+//                      prints for every pixel, row by row, a line with its depth, "inf" or "empty";
+//                      of channel Z if none is given
 // depths within FILE MM
 //                      prints how many pixels show a surface at most MM mm from the sheet, how many
 //                      show none, and how many are imaged
@@ -34,7 +36,7 @@ struct Depths {
     std::vector<float> z, alpha;
 };
 
-Depths read_depths(const char* name)
+Depths read_depths(const char* name, const char* values)
 {
     Imf::InputFile file(name);
     const auto window = file.header().dataWindow();
@@ -43,11 +45,12 @@ Depths read_depths(const char* name)
     d.height = window.max.y - window.min.y + 1;
     d.z.resize(std::size_t(d.width) * d.height);
     d.alpha = d.z;
-    for (const char* channel : {"Z", "A"})
+    for (const char* channel : {values, "A"})
         if (!file.header().channels().findChannel(channel))
             throw std::runtime_error(std::string(name) + " has no channel " + channel);
     Imf::FrameBuffer buffer;
-    buffer.insert("Z", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(d.z.data()), 4, 4 * d.width));
+    buffer.insert(values,
+                  Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(d.z.data()), 4, 4 * d.width));
     buffer.insert("A",
                   Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(d.alpha.data()), 4, 4 * d.width));
     file.setFrameBuffer(buffer);
@@ -92,7 +95,7 @@ bool run(int argc, char** argv)
     if (command != "count" && command != "range" && command != "pixels" &&
         !(command == "within" && argc == 4) && !(command == "near" && argc == 9))
         throw std::runtime_error("usage: see the head of depths.cpp");
-    const Depths d = read_depths(argv[2]);
+    const Depths d = read_depths(argv[2], command == "pixels" && argc > 3 ? argv[3] : "Z");
     if (command == "near")
         return near(d, frames::read_oracle(argv[3], d.height), argv[4], std::stod(argv[5]),
                     std::stod(argv[6]), std::stod(argv[7]), std::stod(argv[8]));
