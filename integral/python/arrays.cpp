@@ -109,11 +109,12 @@ Image image_from(const py::array& array, Encoding encoding, bool premultiplied)
     return std::move(images_from(array, encoding, premultiplied)[0]);
 }
 
-ViewsOfArray views_from(const py::array& array, Encoding encoding)
+ViewsOfArray views_from(const py::array& array, Encoding encoding, bool premultiplied)
 {
     if (array.ndim() != 5)
         throw std::invalid_argument("views: an array [row, column, y, x, channel] is expected");
-    return {images_from(array, encoding), {int(array.shape(1)), int(array.shape(0))}};
+    return {images_from(array, encoding, premultiplied),
+            {int(array.shape(1)), int(array.shape(0))}};
 }
 
 py::array array_of(std::vector<Image> pictures, std::vector<py::ssize_t> leading)

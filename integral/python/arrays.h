@@ -51,7 +51,7 @@ struct ViewsOfArray {
     std::vector<Image> pictures; ///< row after row
     ViewGrid grid;
 };
-ViewsOfArray views_from(const py::array& array, Encoding encoding);
+ViewsOfArray views_from(const py::array& array, Encoding encoding, bool premultiplied = false);
 
 /// Inverse of images_from, for pictures of one size and form, which are freed one by one.
 /// `leading`: the leading axes.

@@ -56,6 +56,24 @@ py::tuple read_depth_frame(const std::string& path)
         array_of(std::move(frame.eye_distances), {py::ssize_t(frame.eye_distances.size())}));
 }
 
+/// Writes the depths [y, x] of a frame or a quilt with its metadata.
+void write_depth_frame(const std::string& path, const py::array& array, const py::object& document)
+{
+    DepthFrame frame;
+    frame.metadata = frame_metadata_from_json(text_of(document));
+    const Film& film = frame.metadata.film;
+    const auto depths = py::array_t<float, py::array::c_style | py::array::forcecast>(array);
+    if (depths.ndim() != 2 || depths.shape(0) != film.height || depths.shape(1) != film.width)
+        throw std::invalid_argument("depth_mm: an array of shape (" + std::to_string(film.height) +
+                                    ", " + std::to_string(film.width) + ") is expected");
+    frame.depth.assign(depths.data(), depths.data() + depths.size());
+    frame.imaged.assign(frame.depth.size(), 1);
+    for (std::size_t k = 0; k < frame.depth.size(); ++k)
+        if (std::isnan(frame.depth[k]))
+            frame.depth[k] = frame.imaged[k] = 0;
+    run_long(py::none(), [&](const Progress&) { write_depths(path, frame); });
+}
+
 /// (depth_mm, disparity, confidence, colour, pixel_mm) of what the centre eye sees.
 py::tuple depth(const py::object& of_python, const std::string& quality, int width, int threads,
                 const py::object& progress)
@@ -107,6 +125,7 @@ py::array refocus(const py::object& of_python, double focus, double pupil, std::
 void declare_depth(py::module_& module)
 {
     module.def("read_depths", read_depth_frame);
+    module.def("write_depths", write_depth_frame);
     module.def("depth", depth);
     module.def("refocus", refocus);
 }

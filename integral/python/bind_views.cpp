@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // Light fields and views of frames, and frames of views, for Python.
 #include "integral/base/interrupt.h"
+#include "integral/frame/quilt_name.h"
+#include "integral/frame/view_eyes.h"
+#include "integral/io/image_file.h"
 #include "integral/python/arrays.h"
 #include "integral/python/calls.h"
 #include "integral/python/rooms.h"
@@ -8,6 +11,7 @@
 #include "integral/views/light_field.h"
 #include "integral/views/parallel_views.h"
 #include "integral/views/perspective_views.h"
+#include "integral/views/quilt.h"
 #include "integral/views/view_export.h"
 #include "integral/views/view_input.h"
 
@@ -147,6 +151,17 @@ py::array views(const py::object& of_python, const Directions& grid, bool of_eye
     return array_of(std::move(*pictures), {directions.rows, directions.columns});
 }
 
+/// [row, column, 2]: places of a quilt's eyes, mm to the right of the sheet's axis and above it.
+py::array eyes_of(const EyeGrid& eyes, ViewGrid directions)
+{
+    std::vector<double> places;
+    for (int view = 0; view < directions.count(); ++view) {
+        const Vec2 eye = eye_of_view(eyes, directions, view);
+        places.insert(places.end(), {eye.x, eye.y});
+    }
+    return array_of(std::move(places), {directions.rows, directions.columns, 2});
+}
+
 /// The image of the frame with this geometry that shows the views [row, column, y, x, channel].
 py::array frame_from_views(const py::array& array, const py::object& document,
                            const py::object& encoding, bool of_eyes, int threads,
@@ -167,10 +182,75 @@ py::array frame_from_views(const py::array& array, const py::object& document,
     }));
 }
 
+/// (views [row, column, y, x, channel], encoding, premultiplied, metadata or None, aspect, eyes
+/// [row, column, 2] or None) of a quilt, of a file with several views, or of the files of all
+/// views.
+py::tuple read_quilt(const std::vector<std::string>& paths, const Directions& grid,
+                     std::optional<double> aspect)
+{
+    if (paths.empty())
+        throw std::invalid_argument("paths: a file is expected");
+    ViewsRequest request;
+    if (grid) {
+        check_grid("grid", *grid, most_views_one_way);
+        request.grid = ViewGrid{grid->first, grid->second};
+    }
+    check_number("aspect", aspect.value_or(1), 0.01, 100);
+    request.aspect = aspect;
+    request.needs_geometry = false;
+    request.of_eyes = true;
+    ViewInput given = result_of_long(
+        py::none(), [&](const Progress&) { return read_given_views(paths, request); });
+    const ViewGrid directions = given.metadata ? directions_of(given.grid, given.metadata->sheet)
+                                               : given.grid;
+    const Image form = form_of(given.views.at(0));
+    py::object metadata = py::none(), eyes = py::none();
+    if (given.metadata) {
+        given.metadata->quilt->view.reset(); // the files of all views are one quilt
+        metadata = parsed(to_json(*given.metadata));
+        if (given.metadata->quilt->eyes)
+            eyes = eyes_of(*given.metadata->quilt->eyes, directions);
+    }
+    return py::make_tuple(array_of(std::move(given.views), {directions.rows, directions.columns}),
+                          python_of(form.encoding), form.premultiplied, metadata, given.shape,
+                          eyes);
+}
+
+/// Writes views [row, column, y, x, channel] as a quilt, and returns its path. `document`: None, or
+/// the metadata of a quilt.
+std::string write_quilt(const std::string& path, const py::array& array, const py::object& encoding,
+                        bool premultiplied, const py::object& document, double aspect)
+{
+    check_number("aspect", aspect, 0.01, 100);
+    ViewsOfArray views = views_from(array, encoding_from(encoding), premultiplied);
+    std::optional<FrameMetadata> metadata;
+    ViewGrid tiles = views.grid;
+    if (!document.is_none()) {
+        metadata = frame_metadata_from_json(text_of(document));
+        if (metadata->quilt)
+            tiles = metadata->quilt->grid;
+        if (!metadata->quilt || tiles.count() != views.grid.count())
+            throw std::invalid_argument("the metadata are not those of a quilt of " +
+                                        std::to_string(views.grid.count()) + " views");
+        metadata->encoding = views.pictures.at(0).encoding;
+    }
+    const std::string name = quilt_name(path, tiles, aspect);
+    const auto stated = quilt_in_name(name);
+    if (stated->grid.columns != tiles.columns || stated->grid.rows != tiles.rows)
+        throw std::invalid_argument(path + ": its name states another number of views; leave the "
+                                           "ending _qs... out");
+    run_long(py::none(), [&](const Progress&) {
+        write_frame(name, Frame{quilt_of_views(std::move(views.pictures), tiles), metadata});
+    });
+    return name;
+}
+
 } // namespace
 
 void declare_views(py::module_& module)
 {
+    module.def("read_quilt", read_quilt);
+    module.def("write_quilt", write_quilt);
     module.def("views", views);
     module.def("frame_from_views", frame_from_views);
     module.def("light_field", light_field);

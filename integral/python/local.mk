@@ -8,6 +8,7 @@ python_module_sources = \
   integral/python/bind_compare.cpp \
   integral/python/bind_depth.cpp \
   integral/python/bind_frame.cpp \
+  integral/python/bind_io.cpp \
   integral/python/bind_optics.cpp \
   integral/python/bind_panel.cpp \
   integral/python/bind_replay.cpp \
@@ -27,6 +28,7 @@ python_package_files = \
   integral/python/integral/light_field.py \
   integral/python/integral/measuring.py \
   integral/python/integral/py.typed \
+  integral/python/integral/quilt.py \
   integral/python/integral/viewing.py
 
 EXTRA_DIST += $(python_module_sources) $(python_package_files) integral/python/pyproject.toml \

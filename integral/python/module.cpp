@@ -13,6 +13,7 @@ PYBIND11_MODULE(_integral, module)
     module.attr("version") = PACKAGE_VERSION;
     integral::declare_messages(module);
     integral::declare_frame(module);
+    integral::declare_io(module);
     integral::declare_optics(module);
     integral::declare_sheet(module);
     integral::declare_compare(module);

@@ -10,6 +10,7 @@
 namespace integral {
 
 void declare_frame(pybind11::module_& module);
+void declare_io(pybind11::module_& module);
 void declare_optics(pybind11::module_& module);
 void declare_sheet(pybind11::module_& module);
 void declare_compare(pybind11::module_& module);

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
-"""examples/python: epipolar images and manipulations of frames of a wall 20 mm behind the sheet."""
+"""examples/python: epipolar images, manipulations and the moire of a wall 20 mm behind the sheet."""
+import argparse
+import math
 import os
 import sys
 
@@ -11,6 +13,7 @@ from cases import WALL, near, raises, run
 sys.path.insert(0, os.path.join(os.environ["TOP"], "examples/python"))
 import epipolar  # noqa: E402
 import manipulate  # noqa: E402
+import moire  # noqa: E402
 
 
 def test_lines_of_an_epipolar_image_lean_with_depth():
@@ -63,6 +66,28 @@ def test_a_part_is_pasted_at_its_depth_behind_what_is_nearer():
     raises(SystemExit, "of another frame", manipulate.paste, frame, depths[1:], 0, 1, 1, 0)
     back = manipulate.paste(frame, depths, 0, 10, -3, -2).linear()
     assert np.abs(back - frame.linear())[:2 * lens, :2 * lens].max() > 1e-3
+
+
+def test_the_pixels_steps_are_a_sawtooth():
+    # A wall whose red grows evenly: an eye sees a step of the pixel's spread at the wall, and deviates
+    # from the mean by a sawtooth, whose square varies by its mean times sqrt(4/5). Lenses half a pixel
+    # apart leave only its even harmonics, a quarter.
+    pixel, distance, pixels = 25.4 / 200, 300, 8
+    moire.FINE, moire.SIZE_MM, moire.ROWS = 16, (80, 4), 4
+    given = argparse.Namespace(renderer=os.environ["POVRAY"], scene="evenly.pov")
+    for extra, jumps in ((0, math.sqrt(0.8)), (0.5, math.sqrt(0.8) / 4)):
+        pitch = (pixels + extra) * pixel / (1 + moire.THICKNESS_MM / (moire.IOR * distance))
+        frame = moire.render(given, [], pitch, pixel / moire.FINE, "pixels.png")
+        near(frame.aperture.distance_mm, distance, 0.1)
+        of_print, of_mean = moire.printed(frame)
+        near(of_print.film.pixel_pitch_mm[0], pixel, 1e-9)
+        eyes = (np.arange(64) + 0.5) / 64 * moire.JUMPS * moire.eye_step(frame, pixel)
+        red = (moire.seen(of_print, eyes, 0) - moire.seen(of_mean, eyes, 0))[..., :1]
+        figures = moire.figures_of(red, 8)
+        spread = WALL * moire.IOR * pixel / moire.THICKNESS_MM
+        near(figures["flicker"] / (spread / 200 / math.sqrt(12)), 1, 0.05)
+        near(figures["jumps"], jumps, 0.04)
+        near(figures["stripes"], jumps, 0.04)
 
 
 if __name__ == "__main__":

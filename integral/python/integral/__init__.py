@@ -21,12 +21,13 @@ from .frame import Frame, read
 from .geometry import Aperture, Film, LensSheet, document
 from .light_field import LightField
 from .measuring import (Depth, DepthFrame, Fit, compare, depth, difference, fit, known_sheets,
-                        read_depths, refocus, sheet_figures)
-from .viewing import frame_from_views, interlace, panel, panel_names, replay, views
+                        read_depths, refocus, sheet_figures, write_depths)
+from .quilt import Quilt, read_quilt
+from .viewing import frame_from_views, interlace, panel, panel_names, plot, replay, views
 
 __all__ = [
     "Aperture", "Camera", "Depth", "DepthFrame", "Film", "Fit", "Frame", "InputError", "LensSheet",
-    "LightField", "OutputError", "Rays", "compare", "depth", "difference", "document", "fit",
-    "frame_from_views", "interlace", "known_sheets", "panel", "panel_names", "read", "read_depths",
-    "refocus", "replay", "sheet_figures", "views",
+    "LightField", "OutputError", "Quilt", "Rays", "compare", "depth", "difference", "document", "fit",
+    "frame_from_views", "interlace", "known_sheets", "panel", "panel_names", "plot", "read",
+    "read_depths", "read_quilt", "refocus", "replay", "sheet_figures", "views", "write_depths",
 ]

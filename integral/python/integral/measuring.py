@@ -76,6 +76,15 @@ def read_depths(path: Union[str, "os.PathLike[str]"]) -> DepthFrame:
     return DepthFrame(*_integral.read_depths(os.fspath(path)))
 
 
+def write_depths(path: Union[str, "os.PathLike[str]"], depth_mm: Any, metadata: Document) -> None:
+    """Writes depths as the OpenEXR file that `read_depths` reads, and the commands' options.
+
+    depth_mm  [y, x] as of DepthFrame; NaN where a pixel images nothing
+    metadata  of the frame or the quilt
+    """
+    _integral.write_depths(os.fspath(path), np.asarray(depth_mm), metadata)
+
+
 def depth(frame: Frame, quality: str = "good", width: int = 0, *, threads: int = 0,
           progress: Progress = None) -> Depth:
     """Measures the depth of what a frame shows, by the multibaseline method of `integral depth`.

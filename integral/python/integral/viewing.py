@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Pictures that eyes see of frames; frames of views; images for panels."""
+import os
 import warnings
-from typing import Any, List, Optional, Tuple, Union
+from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _integral
 from .frame import Encoding, Frame, Progress
 from .geometry import Aperture, Document, Film, LensSheet, document
+
+Range = Tuple[Optional[float], Optional[float]]
 
 
 def replay(frame: Frame, eye: Optional[Tuple[float, float, float]] = None,
@@ -81,6 +84,22 @@ def interlace(pictures: Union[Frame, Any], panel: str, grid: Optional[Tuple[int,
     for notice in notices:
         warnings.warn(notice, stacklevel=2)
     return Frame._of(*made)
+
+
+def plot(path: Union[str, "os.PathLike[str]"], curves: Mapping[str, Sequence[Any]], x: str = "",
+         y: str = "", title: str = "", subtitle: str = "", *, log_x: bool = False,
+         log_y: bool = False, x_range: Range = (None, None), y_range: Range = (None, None)) -> None:
+    """Draws curves as FILE.svg or FILE.png, in the style of the commands' plots.
+
+    curves   {label: (x, y)} or {label: (x, y, style)}; style: "line", "points", "both" (the default)
+             or "dashed". Points that are not finite are left out
+    x, y     labels of the axes: quantity and unit, as "distance (mm)"
+    x_range, y_range  ends of the axes; None: so that all points fit
+    """
+    made = [(label, [float(v) for v in curve[0]], [float(v) for v in curve[1]],
+             curve[2] if len(curve) > 2 else "both") for label, curve in curves.items()]
+    _integral.plot(os.fspath(path), made, (x, log_x, *x_range), (y, log_y, *y_range), title,
+                   subtitle)
 
 
 def panel(name: str) -> Document:
