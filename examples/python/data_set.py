@@ -4,11 +4,12 @@
 layout of the HCI 4D Light Field Benchmark (Honauer and others 2016):
 
     data_set.py SCENE.pov FOLDER [--views 9x9] [--size 512x512] [--disparity 1.5]
-                [--hdf5 FILE.h5] [RENDERER OPTION...]
+                [--truth-scale 10] [--hdf5 FILE.h5] [RENDERER OPTION...]
 
 FOLDER then has input_Cam000.png (the view from the upper left) to input_Cam080.png,
 gt_disp_lowres.pfm and gt_depth_lowres.pfm of the middle view, the same with _CamNNN of each view,
-and parameters.cfg. The scene has a perspective camera; the middle view is its picture, without focal
+gt_disp_highres.pfm and gt_depth_highres.pfm of the middle view with 10 x 10 values a pixel,
+mask_REGION_lowres.png and mask_REGION_highres.png (masks.py), and parameters.cfg. The scene has a perspective camera; the middle view is its picture, without focal
 blur, if the camera has the shape of --size. A unit of the scene counts as a metre. Other options, such
 as +A0.3 or +L, are the renderer's.
 """
@@ -26,6 +27,7 @@ import tempfile
 import numpy as np
 
 import integral
+from masks import write_masks
 
 WINDOW_MM = 100       # width of the sheet, which all views show; any would do
 SENSOR_MM = 35        # of parameters.cfg, which states the angle of view as focal length and sensor
@@ -44,6 +46,12 @@ def odd_pair(text):
         raise argparse.ArgumentTypeError(f"{text}: odd numbers are expected, so that there is a middle "
                                          "view")
     return pair(text)
+
+
+def positive(text):
+    if not text.isdigit() or not 0 < int(text) <= 32:
+        raise argparse.ArgumentTypeError(f"{text}: a whole number from 1 to 32 is expected")
+    return int(text)
 
 
 def length(text):
@@ -67,6 +75,9 @@ def options():
     parser.add_argument("--disparity", type=length, default=1.5, metavar="PIXELS",
                         help="greatest disparity, from a view to the next, of nine tenths of the "
                         "scene's depths (default: 1.5)")
+    parser.add_argument("--truth-scale", type=positive, default=10, metavar="N",
+                        help="true depths of the middle view with N x N values a pixel, too; 1: without "
+                        "(default: 10, which the benchmark's toolkit expects)")
     parser.add_argument("--hdf5", metavar="FILE.h5", help="write the arrays to this file, too")
     parser.add_argument("--renderer", default="povray-integral", metavar="PROGRAM")
     given, words = parser.parse_known_args()
@@ -116,19 +127,13 @@ def placed(distances, disparity, width):
     return plane, min(disparity / max(step, 1e-9), FARTHEST_EYES * width)
 
 
-def tiles(quilt, views):
-    """[v, u, y, x, ...] of a quilt's picture, v from above and u from the left."""
-    (columns, rows), (height, width) = views, quilt.shape[:2]
-    return quilt.reshape(rows, height // rows, columns, width // columns, -1).swapaxes(1, 2)
-
-
 def rotation(axes):
     """Euler angles, radians, in the order x, y, z, of a camera that looks along its own -z."""
     x, y, z = (np.array(axis) / np.linalg.norm(axis) * (1, 1, -1) for axis in axes)
     return (np.arctan2(y[2], -z[2]), -np.arcsin(np.clip(x[2], -1, 1)), np.arctan2(x[1], x[0]))
 
 
-def parameters(scene, metadata, views, size, ratio, disparities):
+def parameters(scene, metadata, views, size, ratio, disparities, scale):
     """The text fields of parameters.cfg. The world is right-handed: POV-Ray's with z negated."""
     camera = metadata["camera"]
     unit, plane = camera["units_per_mm"], camera["sheet_distance"]
@@ -152,7 +157,7 @@ def parameters(scene, metadata, views, size, ratio, disparities):
             "date": datetime.date.today().isoformat(), "version": integral.__version__,
             "authors": "povray-integral", "contact": "none",
             "disp_min": surfaces.min(), "disp_max": surfaces.max(),
-            "frustum_disp_min": -ratio, "frustum_disp_max": surfaces.max(), "depth_map_scale": 1.0}}
+            "frustum_disp_min": -ratio, "frustum_disp_max": surfaces.max(), "depth_map_scale": float(scale)}}
 
 
 def write_pfm(path, values):
@@ -161,10 +166,10 @@ def write_pfm(path, values):
         file.write(np.ascontiguousarray(values[::-1], dtype="<f4").tobytes())
 
 
-def write_hdf5(path, pictures, disparities, depths, attributes):
+def write_hdf5(path, arrays, attributes):
     import h5py
     with h5py.File(path, "w") as file:
-        for name, values in (("LF", pictures), ("disparity", disparities), ("depth_m", depths)):
+        for name, values in arrays.items():
             file.create_dataset(name, data=values, compression="gzip")
         for section in attributes.values():
             file.attrs.update(section)
@@ -176,54 +181,82 @@ def check(metadata):
              "depth; take those words out")
 
 
+def true_depths(depth_mm, metadata, ratio):
+    """Depths in scene units and disparities of depths behind the sheet."""
+    distance = metadata["aperture"]["distance_mm"]
+    far = distance + depth_mm.astype(float)
+    return ((far * metadata["camera"]["units_per_mm"]).astype(np.float32),
+            (ratio * (distance / far - 1)).astype(np.float32))
+
+
+def render_all(given, words, scratch):
+    """The views from above and from the left [v, u, y, x, channel], their depths, the depths of the middle
+    view with more values, and the quilt's metadata and ratio: the greatest disparity, of no distance."""
+    views, size, scale = given.views, given.size, given.truth_scale
+    sheet = "lens_sheet { square pitch 1 thickness 3 ior 1.5 }"
+    # The scene's own eye measures distances, wherever the sheet is.
+    look, _ = render(given.renderer, given.scene, f"{sheet} film {{ pixel_pitch {WINDOW_MM / 100} }}",
+                     (100, max(1, round(100 * size[1] / size[0]))), os.path.join(scratch, "look"),
+                     [*words, "+Q0", "-A"])
+    check(look.metadata)
+    plane, ratio = placed(look.eye_distances, given.disparity, size[0])
+    given.folder.mkdir(parents=True, exist_ok=True)
+    step = ratio * WINDOW_MM / size[0]
+
+    def quilt(grid, pixels, name, options):
+        """Renders a grid of views with so many times the pixels."""
+        camera = (f"{sheet} sheet_distance {plane!r} capture_aperture <{grid[0] * step!r}, "
+                  f"{grid[1] * step!r}> film {{ pixel_pitch "
+                  f"<{WINDOW_MM / (pixels * grid[0] * size[0])!r}, "
+                  f"{WINDOW_MM / (pixels * size[0] * grid[1])!r}> }}")
+        output = os.path.join(scratch, "{}_qs{}x{}a{:.5g}".format(name, *grid, size[0] / size[1]))
+        _, warnings = render(given.renderer, given.scene, camera,
+                             (pixels * grid[0] * size[0], pixels * grid[1] * size[1]), output,
+                             [*words, *options, f"Integral_Quilt={grid[0]}x{grid[1]}"])
+        return integral.read_quilt(output + ".png", output + ".exr"), warnings
+
+    print(f"rendering {views[0] * views[1]} views of {size[0]} x {size[1]} pixels", flush=True)
+    all_views, warnings = quilt(views, 1, "all", [])
+    if warnings:
+        print(warnings, file=sys.stderr)
+    fine = all_views.depth_mm[views[1] // 2, views[0] // 2]
+    if scale > 1:
+        print(f"rendering true depths of {scale * size[0]} x {scale * size[1]} pixels", flush=True)
+        fine = quilt((1, 1), scale, "fine", ["+Q0", "-A"])[0].depth_mm[0, 0]
+    return all_views, fine, ratio
+
+
 def make_data_set():
     given, words = options()
-    views, size = given.views, given.size
-    whole = views[0] * size[0], views[1] * size[1]
-    sheet = "lens_sheet { square pitch 1 thickness 3 ior 1.5 }"
+    views, size, scale = given.views, given.size, given.truth_scale
     with tempfile.TemporaryDirectory() as scratch:
-        # The scene's own eye measures distances, wherever the sheet is.
-        look, _ = render(given.renderer, given.scene,
-                         f"{sheet} film {{ pixel_pitch {WINDOW_MM / 100} }}",
-                         (100, max(1, round(100 * size[1] / size[0]))),
-                         os.path.join(scratch, "look"), [*words, "+Q0", "-A"])
-        check(look.metadata)
-        plane, ratio = placed(look.eye_distances, given.disparity, size[0])
-        given.folder.mkdir(parents=True, exist_ok=True)
-        step = ratio * WINDOW_MM / size[0]
-        camera = (f"{sheet} sheet_distance {plane!r} capture_aperture "
-                  f"<{views[0] * step!r}, {views[1] * step!r}> film {{ pixel_pitch "
-                  f"<{WINDOW_MM / whole[0]!r}, {WINDOW_MM / size[0] / views[1]!r}> }}")
-        quilt = os.path.join(scratch, "quilt_qs{}x{}a{:.5g}".format(*views, size[0] / size[1]))
-        print(f"rendering {views[0] * views[1]} views of {size[0]} x {size[1]} pixels", flush=True)
-        truth, warnings = render(given.renderer, given.scene, camera, whole, quilt,
-                                 [*words, f"Integral_Quilt={views[0]}x{views[1]}"])
-        if warnings:
-            print(warnings, file=sys.stderr)
-        frame = integral.read(quilt + ".png")
-        pictures = tiles(frame.image, views)[..., :3]
-    distance = truth.metadata["aperture"]["distance_mm"]
-    far = distance + tiles(truth.depth_mm, views)[..., 0].astype(float)
-    depths = (far * truth.metadata["camera"]["units_per_mm"]).astype(np.float32)
-    disparities = (ratio * (distance / far - 1)).astype(np.float32)
-    surfaces = np.where(np.isfinite(far), disparities, np.nan)
-    config = parameters(given.scene, truth.metadata, views, size, ratio, surfaces)
+        quilt, fine, ratio = render_all(given, words, scratch)
+    pictures = quilt.views[::-1, ..., :3]
+    depths, disparities = true_depths(quilt.depth_mm[::-1], quilt.metadata, ratio)
+    fine_depth, fine_disparity = true_depths(fine, quilt.metadata, ratio)
+    surfaces = np.where(np.isfinite(depths), disparities, np.nan)
+    config = parameters(given.scene, quilt.metadata, views, size, ratio, surfaces, scale)
 
     for number in range(views[0] * views[1]):
         at = divmod(number, views[0])
-        picture = integral.Frame(pictures[at], encoding=frame.encoding)
+        picture = integral.Frame(pictures[at], encoding=quilt.encoding)
         picture.write(given.folder / f"input_Cam{number:03}.png")
         write_pfm(given.folder / f"gt_disp_lowres_Cam{number:03}.pfm", disparities[at])
         write_pfm(given.folder / f"gt_depth_lowres_Cam{number:03}.pfm", depths[at])
     middle = views[1] // 2, views[0] // 2
-    write_pfm(given.folder / "gt_disp_lowres.pfm", disparities[middle])
-    write_pfm(given.folder / "gt_depth_lowres.pfm", depths[middle])
+    truth = {"disp_lowres": disparities[middle], "depth_lowres": depths[middle]}
+    if scale > 1:
+        truth.update(disp_highres=fine_disparity, depth_highres=fine_depth)
+    for name, values in truth.items():
+        write_pfm(given.folder / f"gt_{name}.pfm", values)
+    write_masks(given.folder, fine_disparity, np.isfinite(fine_depth), scale)
     with open(given.folder / "parameters.cfg", "w") as file:
         parser = configparser.ConfigParser()
         parser.read_dict(config)
         parser.write(file)
     if given.hdf5:
-        write_hdf5(given.hdf5, pictures, disparities, depths, config)
+        write_hdf5(given.hdf5, {"LF": pictures, "disparity": disparities, "depth_m": depths, **truth},
+                   config)
     print(f"{given.folder}: disparities of surfaces from {config['meta']['disp_min']:.3f} to "
           f"{config['meta']['disp_max']:.3f} pixels")
 
