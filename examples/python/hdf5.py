@@ -5,8 +5,9 @@
     hdf5.py write FRAME FILE.h5
     hdf5.py read FILE.h5 FRAME [--sheet SHEET.json]
 
-write stores a frame's light field LF[v, u, t, s, channel], its axes in mm and its document: `read` makes
-the same frame of it. A file without the document is one of views LF[v, u, y, x, channel], as data_set.py
+write stores a frame's light field LF[v, u, t, s, channel], its axes in mm, its picture image[y, x,
+channel] and its document: `read` makes the same frame of it, with what LF has become if each lens covers
+whole pixels; otherwise LF is interpolated, and stays what it was. A file without the document is one of views LF[v, u, y, x, channel], as data_set.py
 --hdf5 and the tools of the HCI 4D Light Field Benchmark write: v = 0 is the row from above, u = 0 the
 column from the left. `read` then makes a frame for the sheet and film of --sheet (`integral sheet --json`),
 whose eyes see the views from equal parts of its viewing zone.
@@ -30,6 +31,7 @@ def write(frame, path):
     field = frame.lightfield()
     with h5py.File(path, "w") as file:
         file.create_dataset("LF", data=field.samples, compression="gzip")
+        file.create_dataset("image", data=frame.image, compression="gzip")
         for name in AXES:
             file[name] = getattr(field, name)
         file.attrs["integral"] = json.dumps(frame.metadata)
@@ -37,13 +39,11 @@ def write(frame, path):
     return field
 
 
-def frame_of_light_field(samples, document, exact):
+def frame_of_light_field(samples, image, attributes):
     """The frame whose light field was written."""
-    frame = integral.Frame(np.zeros((document["film"]["height"], document["film"]["width"],
-                                     samples.shape[-1]), samples.dtype), metadata=document)
-    if not exact:
-        fail("the light field was interpolated between the film's pixels; no frame can be made of it")
-    frame.lightfield().samples[...] = samples
+    frame = integral.Frame(image, metadata=json.loads(attributes["integral"]))
+    if attributes["is_view"]:
+        frame.lightfield().samples[...] = samples
     return frame
 
 
@@ -63,8 +63,8 @@ def read(path, sheet_path=None):
         if "LF" not in file or file["LF"].ndim != 5:
             fail(f"{path} has no light field LF of five axes")
         samples, attributes = file["LF"][:], dict(file.attrs)
-    if "integral" in attributes:
-        return frame_of_light_field(samples, json.loads(attributes["integral"]), attributes["is_view"])
+        if "integral" in attributes:
+            return frame_of_light_field(samples, file["image"][:], attributes)
     return frame_of_views(samples, sheet_path)
 
 
