@@ -3,13 +3,20 @@
 """Changes finished frames as light fields (thesis 5.1, 6.1):
 
     manipulate.py balance FRAME OUTPUT --patch=X,Y,WIDTH,HEIGHT
+    manipulate.py match FRAME REFERENCE OUTPUT
+    manipulate.py cut FRAME DEPTH.exr OUTPUT OUTPUT_DEPTH.exr --depths=NEAR,FAR [--by=COLUMNS,ROWS]
     manipulate.py paste FRAME DEPTH.exr OUTPUT --depths=NEAR,FAR --by=COLUMNS,ROWS
     manipulate.py plane FRAME OUTPUT --behind=MM
+    manipulate.py parallax FRAME OUTPUT --factor=K
 
-balance makes a patch of film pixels grey, by a factor for each colour in linear light. paste copies
-everything between two depths (mm behind the sheet, negative in front) some lenses to the right and
-down; the copy has the same depth, and nearer things hide it. plane moves the sheet to another depth of
-the picture, MM behind its old place. paste and plane need lenses that cover whole pixels.
+balance makes a patch of film pixels grey, by a factor for each colour in linear light. match brings a
+frame's colours as near as one 3 x 3 matrix can to those of another frame of the same pixels, as a scan's
+to those of the frame that was printed. cut keeps everything between two depths (mm behind the sheet,
+negative in front), some lenses farther to the right and down, and makes the rest transparent: integral
+combine puts it into another frame. paste copies it within the frame; the copy has the same depth, and
+nearer things hide it. plane moves the sheet to another depth of the picture, MM behind its old place.
+parallax makes an eye that moves see what K times its way showed before: the picture gets flatter or
+deeper. cut, paste, plane and parallax need lenses that cover whole pixels.
 """
 import argparse
 
@@ -27,7 +34,8 @@ def numbers(count, kind=float):
             values = []
         if len(values) != count or not np.isfinite(values).all():
             what = "whole numbers" if kind is int else "numbers"
-            raise argparse.ArgumentTypeError(f"{text}: {count} {what} are expected")
+            raise argparse.ArgumentTypeError(f"{text}: " + (f"{count} {what} are expected" if count > 1
+                                                            else "a number is expected"))
         return values
     return read
 
@@ -61,30 +69,64 @@ def balance(frame, x, y, width, height):
     return like(frame, linear)
 
 
-def paste(frame, depths, near, far, columns, rows):
-    linear = frame.linear()
-    if depths.shape != linear.shape[:2] or near > far:
+def match(frame, reference):
+    linear, wanted = frame.linear(), reference.linear()[..., :3]
+    if linear.shape[:2] != wanted.shape[:2]:
+        fail(f"the frames have {linear.shape[1]} x {linear.shape[0]} and {wanted.shape[1]} x "
+             f"{wanted.shape[0]} pixels; give frames of one size")
+    colours = linear[..., :3].reshape(-1, 3)
+    matrix, _, rank, _ = np.linalg.lstsq(colours, wanted.reshape(-1, 3), rcond=1e-4)
+    if rank < 3:
+        fail("the frame has too few colours for a matrix; balance does with one")
+    linear[..., :3] = np.maximum(colours @ matrix, 0).reshape(wanted.shape)
+    return like(frame, linear)
+
+
+def depth_field(frame, depths, near, far):
+    """The depths [v, u, t, s, 1] of a frame's light field; infinite where a pixel images nothing."""
+    if depths.shape != frame.image.shape[:2] or near > far:
         fail("the depths are of another frame; give its own" if near <= far else
              f"--depths={near:g},{far:g}: the nearer depth comes first")
     depths = np.where(np.isnan(depths), np.inf, depths)
+    return light_field(like(frame, np.repeat(depths[..., None], 3, axis=2))).samples[..., :1]
+
+
+def parts(array, columns, rows):
+    """The lenses that have a neighbour so many lenses farther right and down, and these neighbours."""
+    height, width = array.shape[2:4]
+    if abs(columns) >= width or abs(rows) >= height:
+        fail(f"--by={columns},{rows}: the frame has {width} x {height} lenses")
+    return (array[:, :, max(0, -t):height - max(0, t), max(0, -s):width - max(0, s)]
+            for s, t in ((columns, rows), (-columns, -rows)))
+
+
+def cut(frame, depths, near, far, columns, rows):
+    """The frame of what lies between two depths, transparent elsewhere, and its depths [y, x]."""
+    depth = depth_field(frame, depths, near, far)
+    linear = frame.linear()[..., :3]
+    old = light_field(like(frame, linear)).samples
+    moved = like(frame, np.zeros((*linear.shape[:2], 4), np.float32))
+    moved_depth = like(frame, np.full_like(linear, np.inf))
+    source_depth, _ = parts(depth, columns, rows)
+    source, _ = parts(old, columns, rows)
+    _, target = parts(light_field(moved).samples, columns, rows)
+    _, target_depth = parts(light_field(moved_depth).samples, columns, rows)
+    inside = (source_depth >= near) & (source_depth <= far)
+    target[...] = np.where(inside, np.concatenate([source, np.ones_like(source[..., :1])], axis=-1), 0)
+    target_depth[...] = np.where(inside, source_depth, np.inf)
+    return moved, moved_depth.image[..., 0]
+
+
+def paste(frame, depths, near, far, columns, rows):
+    depth = depth_field(frame, depths, near, far)
+    linear = frame.linear()
     moved = like(frame, linear)
     old = light_field(like(frame, linear.copy())).samples
-    new = light_field(moved).samples
-    depth = light_field(like(frame, np.repeat(depths[..., None], 3, axis=2))).samples[..., :1]
-    lenses = depth.shape[3], depth.shape[2]
-    if abs(columns) >= lenses[0] or abs(rows) >= lenses[1]:
-        fail(f"--by={columns},{rows}: the frame has {lenses[0]} x {lenses[1]} lenses")
-
-    def part(array, by):  # the lenses that have a neighbour `by` lenses farther right and down
-        (s, t) = by
-        height, width = array.shape[2:4]
-        return array[:, :, max(0, -t):height - max(0, t), max(0, -s):width - max(0, s)]
-
-    forth, back = (columns, rows), (-columns, -rows)
-    seen = (part(depth, forth) >= near) & (part(depth, forth) <= far)
-    nearer = part(depth, forth) < part(depth, back)
-    target = part(new, back)
-    target[...] = np.where(seen & nearer, part(old, forth), target)
+    source_depth, own_depth = parts(depth, columns, rows)
+    source, _ = parts(old, columns, rows)
+    _, target = parts(light_field(moved).samples, columns, rows)
+    seen = (source_depth >= near) & (source_depth <= far) & (source_depth < own_depth)
+    target[...] = np.where(seen, source, target)
     return moved
 
 
@@ -107,8 +149,24 @@ def plane(frame, behind):
     return moved
 
 
+def parallax(frame, factor):
+    """Each direction shows the light of the direction `factor` times as far from the middle:
+    interpolated between directions; beyond the outermost one, that one."""
+    linear = frame.linear()
+    moved = like(frame, linear)
+    old = light_field(like(frame, linear.copy())).samples
+    new = light_field(moved).samples
+    for axis in (0, 1):
+        places = np.arange(old.shape[axis])
+        middle = (len(places) - 1) / 2
+        old = shifted(old, axis, places, (factor - 1) * (places - middle)) if len(places) > 1 else old
+    new[...] = old
+    return moved
+
+
 def shifted(view, axis, places, by):
-    """A view whose row or column k shows what was at k + by; what was outside is the border's."""
+    """A view whose row or column k shows what was at k + by (a number, or one for each k); what was
+    outside is the border's."""
     at = np.clip(places + by, 0, len(places) - 1)
     low = np.minimum(at.astype(int), max(0, len(places) - 2))
     part = (at - low).reshape([-1 if k == axis else 1 for k in range(view.ndim)]).astype(view.dtype)
@@ -116,32 +174,50 @@ def shifted(view, axis, places, by):
     return view.take(low, axis) * (1 - part) + view.take(high, axis) * part
 
 
-def main():
+def options():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     commands = parser.add_subparsers(dest="command", required=True)
-    one = commands.add_parser("balance")
-    two = commands.add_parser("paste")
-    three = commands.add_parser("plane")
-    for command, words in ((one, ["frame", "output"]), (two, ["frame", "depth", "output"]),
-                           (three, ["frame", "output"])):
-        for word in words:
+    words = {"balance": "frame output", "match": "frame reference output",
+             "cut": "frame depth output output_depth", "paste": "frame depth output",
+             "plane": "frame output", "parallax": "frame output"}
+    by_name = {name: commands.add_parser(name) for name in words}
+    for name, command in by_name.items():
+        for word in words[name].split():
             command.add_argument(word)
-    one.add_argument("--patch", type=numbers(4, int), required=True, metavar="X,Y,W,H")
-    two.add_argument("--depths", type=numbers(2), required=True, metavar="NEAR,FAR")
-    two.add_argument("--by", type=numbers(2, int), required=True, metavar="COLUMNS,ROWS")
-    three.add_argument("--behind", type=numbers(1), required=True, metavar="MM")
-    given = parser.parse_args()
+        if "depth" in words[name]:
+            command.add_argument("--depths", type=numbers(2), required=True, metavar="NEAR,FAR")
+            command.add_argument("--by", type=numbers(2, int), required=name == "paste", default=(0, 0),
+                                 metavar="COLUMNS,ROWS")
+    by_name["balance"].add_argument("--patch", type=numbers(4, int), required=True, metavar="X,Y,W,H")
+    by_name["plane"].add_argument("--behind", type=numbers(1), required=True, metavar="MM")
+    by_name["parallax"].add_argument("--factor", type=numbers(1), required=True, metavar="K")
+    return parser.parse_args()
+
+
+def make(given):
+    frame = integral.read(given.frame)
+    if frame.metadata is None:
+        fail(f"{given.frame} has no geometry; give a frame of povray-integral")
+    if given.command in ("cut", "paste"):
+        depths = integral.read_depths(given.depth)
+        made = (cut if given.command == "cut" else paste)(frame, depths.depth_mm, *given.depths, *given.by)
+        if given.command == "cut":
+            made, depth = made
+            integral.write_depths(given.output_depth, depth, depths.metadata)
+    elif given.command == "balance":
+        made = balance(frame, *given.patch)
+    elif given.command == "match":
+        made = match(frame, integral.read(given.reference))
+    elif given.command == "plane":
+        made = plane(frame, *given.behind)
+    else:
+        made = parallax(frame, *given.factor)
+    made.write(given.output)
+
+
+def main():
     try:
-        frame = integral.read(given.frame)
-        if frame.metadata is None:
-            fail(f"{given.frame} has no geometry; give a frame of povray-integral")
-        if given.command == "balance":
-            made = balance(frame, *given.patch)
-        elif given.command == "paste":
-            made = paste(frame, integral.read_depths(given.depth).depth_mm, *given.depths, *given.by)
-        else:
-            made = plane(frame, *given.behind)
-        made.write(given.output)
+        make(options())
     except (ValueError, OSError) as error:
         fail(error)
 

@@ -3,6 +3,7 @@
 import argparse
 import math
 import os
+import subprocess
 import sys
 
 import numpy as np
@@ -11,7 +12,9 @@ import integral
 from cases import WALL, near, raises, run
 
 sys.path.insert(0, os.path.join(os.environ["TOP"], "examples/python"))
+import edges  # noqa: E402
 import epipolar  # noqa: E402
+import error_time  # noqa: E402
 import manipulate  # noqa: E402
 import moire  # noqa: E402
 
@@ -66,6 +69,74 @@ def test_a_part_is_pasted_at_its_depth_behind_what_is_nearer():
     raises(SystemExit, "of another frame", manipulate.paste, frame, depths[1:], 0, 1, 1, 0)
     back = manipulate.paste(frame, depths, 0, 10, -3, -2).linear()
     assert np.abs(back - frame.linear())[:2 * lens, :2 * lens].max() > 1e-3
+
+
+def test_colours_of_another_frame_are_matched():
+    rng = np.random.default_rng(5)
+    frame = integral.read("squares.png")
+    colours = rng.uniform(0.05, 0.6, (90, 120, 3)).astype(np.float32)
+    matrix = np.float32([[0.9, 0.1, 0], [0.05, 0.7, 0.1], [-0.02, 0.2, 0.8]])
+    matched = manipulate.match(manipulate.like(frame, colours), manipulate.like(frame, colours @ matrix))
+    near(matched.linear(), colours @ matrix, 1e-5)
+    raises(SystemExit, "too few colours", manipulate.match, frame, frame)     # the wall has no blue
+    raises(SystemExit, "120 x 90 and 120 x 89 pixels", manipulate.match, frame,
+           integral.Frame(colours[1:], encoding="linear"))
+
+
+def test_parallax_is_multiplied():
+    # A lens at s sees, in the direction u, the wall's place s - u WALL / distance.
+    frame = integral.read("squares.png")
+    field = manipulate.like(frame, frame.linear()).lightfield()
+    u = field.u_mm[None, :, None, None]
+    for factor in (0, 0.5, 1.3):
+        made = manipulate.parallax(frame, factor).lightfield().samples[..., 0]
+        place = field.s_mm - factor * u * WALL / frame.aperture.distance_mm
+        inside = np.abs(field.u_mm) * factor < np.abs(field.u_mm).max()
+        error = np.abs(made - (place + 100) / 200)[:, inside][..., 3:-3]
+        assert error.max() < 2e-3 < np.ptp(place[:, inside]) / 200 + (factor == 0), error.max()
+
+
+def test_an_object_is_cut_out_and_put_into_another_frame():
+    # The rod moved by three lenses looks through every lens as it did through the third one beside it.
+    frame, depths = integral.read("rod0.png"), integral.read_depths("rod0.exr")
+    made, depth = manipulate.cut(frame, depths.depth_mm, -20, 0, 3, 0)
+    assert made.image.shape == (60, 300, 4)
+    made.write("rod-cut.png")
+    integral.write_depths("rod-cut.exr", depth, depths.metadata)
+    subprocess.run([os.environ["INTEGRAL"], "combine", "empty.png", "rod-cut.png", "-o", "rod-joined.png",
+                    "--depth", "empty.exr,rod-cut.exr"], check=True)
+    joined, moved, still = (integral.read(name).image.astype(float) / 65535
+                            for name in ("rod-joined.png", "rod3.png", "rod0.png"))
+    differs = np.abs(joined - moved).max(axis=2) > 0.01
+    assert differs.mean() < 0.005 < 0.1 < (np.abs(still - moved).max(axis=2) > 0.01).mean(), differs.mean()
+
+
+def test_edges_are_lines_of_epipolar_images():
+    # Stripes on a wall 20 mm behind the sheet, and a dark rod 8 mm in front of it.
+    rows, view, _ = edges.edges_of(integral.read("rod0.png"))
+    _, place, depth, strength, coherence = np.transpose(rows)
+    assert view.shape == (3, 15) and (coherence > 0.5).all() and (strength > 0.05).all()
+    for x, z in ((-3, -8), (2, -8)):
+        near(sorted(np.abs(place - x))[:3], 0, 0.3)
+        near(depth[np.abs(place - x) < 0.3], z, 1.5)
+    rows, _, _ = edges.edges_of(integral.read("empty.png"))
+    _, place, depth, _, _ = np.transpose(rows)
+    for x in (-4, 0, 4):
+        near(sorted(np.abs(place - x))[:3], 0, 0.3)
+    near(depth, WALL, 2.5)
+
+
+def test_slopes_and_targets_of_tables():
+    with open("table.csv", "w") as file:
+        file.write("setting,error,seconds,processor_seconds\none ray a pixel,0.5,0.9,1\n")
+        for name, factor in (("+A0.3 +AM2", 0.1), ("pixel_samples 2 beam_samples 2", 0.2)):
+            file.writelines(f"{name},{factor / math.sqrt(time)},{time},{2 * time}\n" for time in (16, 1, 4))
+    lines = error_time.read_table("table.csv", "seconds")
+    near(error_time.slope(lines["+A"]), -0.5, 1e-9)
+    near(error_time.seconds_for(lines["+A"], 0.04), 6.25, 1e-9)
+    near(error_time.seconds_for(error_time.read_table("table.csv", "processor_seconds")["+A"], 0.04), 12.5, 1e-9)
+    assert error_time.seconds_for(lines["+A"], 0.02) is None
+    near(error_time.seconds_for(lines["+A"], 0.2), 1, 0)
 
 
 def test_the_pixels_steps_are_a_sawtooth():
