@@ -37,7 +37,7 @@ DisparityRange shown_range(const UprightMap& map);
 /// nothing is known, disparity, confidence), .png (coloured, with a scale), .ply (points in mm with
 /// colours; x right, y up, z behind the sheet). Throws OutputError; std::invalid_argument if a .ply
 /// is requested of a map without millimetres.
-void write_depth(const std::string& path, const UprightMap& map, bool as_disparity);
+void write_depth(const std::string& path, const UprightMap& map, bool as_disparity = false);
 
 /// Writes colours and, to their right, depths as greys: white at the near end of shown_range(),
 /// black at the far end and where nothing is known. Equal steps of grey are equal steps of
