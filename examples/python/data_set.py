@@ -89,10 +89,14 @@ def options():
 
 
 def warnings_in(text):
-    """The lines of the renderer's warnings, which it folds: later lines of one begin with a blank."""
+    """The renderer's warnings about the scene. Those about the integral camera concern prints. The
+    renderer folds warnings: later lines of one begin with a blank."""
     lines, inside = [], False
     for line in text.splitlines():
-        inside = "Warning: " in line or inside and line.startswith(" ") and line.strip() != ""
+        if "Warning: " in line:
+            inside = "Warning: Integral camera: " not in line
+        elif not line.startswith(" ") or not line.strip():
+            inside = False
         if inside:
             lines.append(line)
     return "\n".join(lines)
