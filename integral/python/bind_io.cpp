@@ -21,8 +21,7 @@ PlotSeries::Style style_named(const std::string& name)
         {"dashed", PlotSeries::Style::dashed}};
     const auto style = styles.find(name);
     if (style == styles.end())
-        throw std::invalid_argument("style " + name +
-                                    ": line, points, both or dashed is expected");
+        throw std::invalid_argument("style " + name + ": line, points, both or dashed is expected");
     return style->second;
 }
 
