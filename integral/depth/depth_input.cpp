@@ -18,6 +18,20 @@ DepthInput depth_input_of(const Frame& frame, int threads, const Progress& progr
             form_of(frame.image)};
 }
 
+DepthInput depth_input_of(const std::vector<Image>& views, ViewGrid grid,
+                          const std::optional<ViewEyes>& eyes, std::optional<double> shape)
+{
+    DepthInput input;
+    input.form = form_of(views.at(0));
+    input.views = view_set(views, grid, eyes, shape);
+    const ViewSet& set = input.views;
+    const double right = set.width * length(set.places.right),
+                 down = set.height * length(set.places.down);
+    input.width = set.turned ? down : right;
+    input.height = set.turned ? right : down;
+    return input;
+}
+
 namespace {
 
 /// Reverses the order of the rows of views, so that the lowest row comes first.
@@ -79,15 +93,7 @@ DepthInput of_views(const std::vector<std::string>& inputs, const DepthRequest& 
     }
     if (request.top_first)
         turn_over(given.views, grid);
-    DepthInput input;
-    input.form = form_of(given.views[0]);
-    input.views = view_set(given.views, grid, eyes, given.shape);
-    const ViewSet& set = input.views;
-    const double right = set.width * length(set.places.right),
-                 down = set.height * length(set.places.down);
-    input.width = set.turned ? down : right;
-    input.height = set.turned ? right : down;
-    return input;
+    return depth_input_of(given.views, grid, eyes, given.shape);
 }
 
 } // namespace

@@ -41,6 +41,10 @@ struct DepthInput {
 /// and Interrupted where `progress` stops the work.
 DepthInput depth_input_of(const Frame& frame, int threads, const Progress& progress);
 
+/// The input of perspective views in memory. Parameters and exceptions as of view_set.
+DepthInput depth_input_of(const std::vector<Image>& views, ViewGrid grid,
+                          const std::optional<ViewEyes>& eyes, std::optional<double> shape);
+
 /// Reads one frame, one quilt or MPO, or the files of all views. Turns parallel views of a frame
 /// back into that frame. Throws InputError, std::invalid_argument where the request does not fit
 /// the inputs, Interrupted.

@@ -28,14 +28,12 @@ DepthQuality quality_named(const std::string& name)
     return *quality;
 }
 
-UprightMap measured(const Frame& frame, DepthQuality quality, int width, int threads,
+UprightMap measured(DepthInput input, DepthQuality quality, int width, int threads,
                     const Progress& progress)
 {
-    DepthInput input = depth_input_of(frame, threads, piece_of(progress, 0, 2));
     soften(input.views, threads);
     keep_views(input.views, quality);
-    const auto map = multibaseline(input.views, settings_for(quality), threads,
-                                   piece_of(progress, 1, 2));
+    const auto map = multibaseline(input.views, settings_for(quality), threads, progress);
     if (!map)
         throw Interrupted();
     return upright_map(input.views, *map, input.width, input.height, width);
@@ -74,6 +72,24 @@ void write_depth_frame(const std::string& path, const py::array& array, const py
     run_long(py::none(), [&](const Progress&) { write_depths(path, frame); });
 }
 
+/// (depth_mm, disparity, confidence, colour, pixel_mm) of a map; depth_mm and pixel_mm are None if
+/// only disparities are known.
+py::tuple arrays_of(UprightMap map)
+{
+    const std::vector<py::ssize_t> shape{map.height, map.width};
+    std::vector<float> colour(map.disparity.size() * 3);
+    for (std::size_t k = 0; k < colour.size(); ++k)
+        colour[k] = map.colour[k % 3][k / 3];
+    py::object depths = py::none(), pixel = py::none();
+    if (map.scale) {
+        depths = array_of(map.depths(), shape); // of the disparities, which then go
+        pixel = py::float_(map.pixel);
+    }
+    return py::make_tuple(depths, array_of(std::move(map.disparity), shape),
+                          array_of(std::move(map.confidence), shape),
+                          array_of(std::move(colour), {map.height, map.width, 3}), pixel);
+}
+
 /// (depth_mm, disparity, confidence, colour, pixel_mm) of what the centre eye sees.
 py::tuple depth(const py::object& of_python, const std::string& quality, int width, int threads,
                 const py::object& progress)
@@ -82,17 +98,33 @@ py::tuple depth(const py::object& of_python, const std::string& quality, int wid
     check_threads(threads);
     const Frame frame = frame_with_geometry(of_python);
     const DepthQuality chosen = quality_named(quality);
-    UprightMap map = result_of_long(progress, [&](const Progress& report) {
-        return measured(frame, chosen, width, threads, report);
-    });
-    const std::vector<py::ssize_t> shape{map.height, map.width};
-    std::vector<float> colour(map.disparity.size() * 3);
-    for (std::size_t k = 0; k < colour.size(); ++k)
-        colour[k] = map.colour[k % 3][k / 3];
-    const py::array depths = array_of(map.depths(), shape); // of the disparities, which then go
-    return py::make_tuple(depths, array_of(std::move(map.disparity), shape),
-                          array_of(std::move(map.confidence), shape),
-                          array_of(std::move(colour), {map.height, map.width, 3}), map.pixel);
+    return arrays_of(result_of_long(progress, [&](const Progress& report) {
+        return measured(depth_input_of(frame, threads, piece_of(report, 0, 2)), chosen, width,
+                        threads, piece_of(report, 1, 2));
+    }));
+}
+
+/// The same of the middle one of views [row, column, y, x, channel]. `eyes`: spacing across and up,
+/// distance and width, as of ViewEyes; without them depth_mm and pixel_mm are None.
+py::tuple depth_of_views(const py::array& array, const py::object& encoding, double aspect,
+                         const std::optional<std::array<double, 4>>& eyes,
+                         const std::string& quality, int width, int threads,
+                         const py::object& progress)
+{
+    check_number("width", width, 0, largest_map_side);
+    check_number("aspect", aspect, 0.01, 100);
+    for (const double length : eyes.value_or(std::array<double, 4>{1, 1, 1, 1}))
+        check_number("eyes", length, 1e-9, 1e9);
+    check_threads(threads);
+    const DepthQuality chosen = quality_named(quality);
+    std::optional<ViewEyes> places;
+    if (eyes)
+        places = ViewEyes{{(*eyes)[0], (*eyes)[1]}, (*eyes)[2], (*eyes)[3]};
+    const ViewsOfArray views = views_from(array, encoding_from(encoding));
+    return arrays_of(result_of_long(progress, [&](const Progress& report) {
+        return measured(depth_input_of(views.pictures, views.grid, places, aspect), chosen, width,
+                        threads, report);
+    }));
 }
 
 py::array refocus(const py::object& of_python, double focus, double pupil, std::optional<int> width,
@@ -127,6 +159,7 @@ void declare_depth(py::module_& module)
     module.def("read_depths", read_depth_frame);
     module.def("write_depths", write_depth_frame);
     module.def("depth", depth);
+    module.def("depth_of_views", depth_of_views);
     module.def("refocus", refocus);
 }
 

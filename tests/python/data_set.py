@@ -165,6 +165,23 @@ def test_a_point_moves_by_its_disparity_to_the_left_and_downwards():
         near((y - box[middle][0], x - box[middle][1]), (-1.2 * (row - 1), -1.2 * (column - 2)), 0.5)
 
 
+def test_python_measures_the_command_s_map():
+    views = np.array([integral.read(f"set/input_Cam{number:03}.png").image for number in range(WIDE * HIGH)])
+    quilt = integral.Quilt(views.reshape(HIGH, WIDE, 48, 60, 3)[::-1])
+    names = [f"set/input_Cam{number:03}.png" for number in range(WIDE * HIGH)]
+    for eyes, words in ((None, []), ((2, 3, 400, 100), ["--eyes", "2,3,400,100"])):
+        subprocess.run([os.environ["INTEGRAL"], "depth", *names, "--views", f"{WIDE}x{HIGH}", "--top-first",
+                        "-o", "set/map.pfm", *words], capture_output=True, check=True)
+        found, expected = integral.depth(quilt, eyes=eyes), pfm("map")
+        os.remove("set/map.pfm")
+        assert (found.depth_mm is None) == (eyes is None)
+        assert np.array_equal(found.disparity if eyes is None else found.depth_mm, expected, equal_nan=True)
+        if eyes is None:
+            surfaces = np.isfinite(pfm("gt_depth_lowres"))
+            error = np.abs(found.disparity - pfm("gt_disp_lowres"))[surfaces]
+            assert np.median(error) < 0.02, np.median(error)
+
+
 def test_an_array_file_has_the_same_values():
     import h5py
     with h5py.File("set.h5") as file:

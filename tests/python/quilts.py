@@ -67,6 +67,17 @@ def test_views_have_the_scene_s_depths():
     raises(ValueError, "not those of this quilt", integral.read_quilt, glob.glob("eyes_qs*")[0], "squares.exr")
 
 
+def test_a_quilt_with_geometry_is_measured_in_mm():
+    quilt = integral.read_quilt(glob.glob("eyes_qs*")[0])
+    depth = integral.depth(integral.read_quilt(glob.glob("eyes5_qs*")[0]))
+    near(np.nanmedian(depth.depth_mm), 20, 4)
+    near(depth.pixel_mm * depth.depth_mm.shape[1], 12, 0.3)
+    raises(ValueError, "eyes are for quilts", integral.depth, integral.read("squares.png"), eyes=(1, 1, 1, 1))
+    raises(ValueError, "eyes 0: a number from", integral.depth, quilt, eyes=(0, 1, 1, 1))
+    raises(ValueError, "the quilt has parallel views", integral.depth,
+           integral.read_quilt(glob.glob("parallel_qs*")[0]))
+
+
 def test_depths_come_back():
     depths = integral.read_depths("squares.exr")
     changed = depths.depth_mm + 3

@@ -1,30 +1,32 @@
 # SPDX-License-Identifier: AGPL-3.0-or-later
 """Figures of pictures and sheets; depth measured in frames."""
 import os
-from typing import Any, Dict, NamedTuple, Optional, Sequence, Union
+from typing import Any, Dict, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _integral
 from .frame import Frame, Progress
 from .geometry import Aperture, Document, Film, LensSheet, _document, _sheet
+from .quilt import Quilt
 
 
 class Depth(NamedTuple):
-    """Centre view of a frame, with its depth: arrays of one height and width.
+    """Centre view of a frame or a quilt, with its depth: arrays of one height and width.
 
-    depth_mm    [y, x] behind the sheet, negative in front; NaN where nothing is known
+    depth_mm    [y, x] behind the sheet, negative in front; NaN where nothing is known; None if only
+                disparities are known
     disparity   [y, x] pixels from one view to the next: 0 at the sheet, greater for nearer points
     confidence  [y, x] 0 to 1
     colour      [y, x, 3] in the frame's encoding, 1 is full scale
-    pixel_mm    the side of a pixel, on the sheet
+    pixel_mm    the side of a pixel, on the sheet; None if only disparities are known
     """
 
-    depth_mm: np.ndarray
+    depth_mm: Optional[np.ndarray]
     disparity: np.ndarray
     confidence: np.ndarray
     colour: np.ndarray
-    pixel_mm: float
+    pixel_mm: Optional[float]
 
 
 class DepthFrame(NamedTuple):
@@ -85,14 +87,38 @@ def write_depths(path: Union[str, "os.PathLike[str]"], depth_mm: Any, metadata: 
     _integral.write_depths(os.fspath(path), np.asarray(depth_mm), metadata)
 
 
-def depth(frame: Frame, quality: str = "good", width: int = 0, *, threads: int = 0,
+def depth(picture: Union[Frame, Quilt], quality: str = "good", width: int = 0, *,
+          eyes: Optional[Tuple[float, float, float, float]] = None, threads: int = 0,
           progress: Progress = None) -> Depth:
-    """Measures the depth of what a frame shows, by the multibaseline method of `integral depth`.
+    """Measures the depth of what a frame, or the middle view of a quilt of eyes' views, shows, by the
+    multibaseline method of `integral depth`.
 
     quality  "draft", "good" or "best"
-    width    pixels of the map across; 0: about a pixel for each lens
+    width    pixels of the map across; 0: about a pixel for each lens, or as many as a view has
+    eyes     of a quilt: spacing across, spacing up, distance to the plane without parallax and width
+             of a view there, mm. None: the quilt's own; without any, only disparities are known
     """
-    return Depth(*_integral.depth(frame, quality, width, threads, progress))
+    if isinstance(picture, Frame):
+        if eyes is not None:
+            raise ValueError("eyes are for quilts, and the picture is a frame")
+        return Depth(*_integral.depth(picture, quality, width, threads, progress))
+    return Depth(*_integral.depth_of_views(picture.views, picture.encoding, picture.aspect,
+                                           eyes or _eyes_of(picture), quality, width, threads,
+                                           progress))
+
+
+def _eyes_of(quilt: Quilt) -> Optional[Tuple[float, float, float, float]]:
+    """The eyes of a quilt with geometry, as `depth` takes them."""
+    if quilt.metadata is None:
+        return None
+    if quilt.eyes_mm is None:
+        raise ValueError("the quilt has parallel views; make a frame of them (frame_from_views)")
+    rows, columns = quilt.eyes_mm.shape[:2]
+    across = np.ptp(quilt.eyes_mm[0, :, 0]) / max(1, columns - 1)
+    up = np.ptp(quilt.eyes_mm[:, 0, 1]) / max(1, rows - 1)
+    film = quilt.metadata["film"]
+    return (across or up, up or across, quilt.metadata["quilt"]["eyes"]["distance_mm"],
+            film["width"] * film["pixel_pitch_mm"][0])
 
 
 def refocus(frame: Frame, focus: float, pupil: float, width: Optional[int] = None,

@@ -8,7 +8,6 @@ import numpy as np
 from . import _integral
 from .frame import Encoding
 from .geometry import Document
-from .measuring import read_depths
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -61,19 +60,19 @@ def read_quilt(path: Union[Path, Sequence[Path]], depths: Optional[Path] = None,
     paths = [path] if isinstance(path, (str, os.PathLike)) else list(path)
     views, encoding, premultiplied, metadata, shape, eyes = _integral.read_quilt(
         [os.fspath(one) for one in paths], grid, aspect)
-    depth = None if depths is None else _tiles(read_depths(depths), views.shape)
+    depth = None if depths is None else _tiles(_integral.read_depths(os.fspath(depths)), views.shape)
     return Quilt(views, shape, encoding=encoding, premultiplied=premultiplied, metadata=metadata,
                  eyes_mm=eyes, depth_mm=depth)
 
 
-def _tiles(frame: Any, shape: Tuple[int, ...]) -> np.ndarray:
+def _tiles(depths: Tuple[np.ndarray, Document, np.ndarray], shape: Tuple[int, ...]) -> np.ndarray:
     """[row, column, y, x] of the depths of a quilt, whose views have this shape."""
     rows, columns, height, width = shape[:4]
-    record = frame.metadata.get("quilt")
+    depth, metadata, _ = depths
+    record = metadata.get("quilt")
     if record is None or record["columns"] * record["rows"] != rows * columns:
         raise ValueError("the depths are not those of this quilt")
     across, up = record["columns"], record["rows"]
-    depth = frame.depth_mm
     if depth.shape[1] // across != width or depth.shape[0] // up != height:
         raise ValueError("the depths are of views of another size")
     depth = depth[depth.shape[0] - up * height:, :across * width]
