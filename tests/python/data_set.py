@@ -179,7 +179,7 @@ def test_python_measures_the_command_s_map():
         if eyes is None:
             surfaces = np.isfinite(pfm("gt_depth_lowres"))
             error = np.abs(found.disparity - pfm("gt_disp_lowres"))[surfaces]
-            assert np.median(error) < 0.02, np.median(error)
+            assert (error < 0.07).mean() > 0.85, (error < 0.07).mean()
 
 
 def test_an_array_file_has_the_same_values():
