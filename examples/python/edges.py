@@ -126,6 +126,8 @@ def main():
     given = parser.parse_args()
     try:
         frame = integral.read(given.frame)
+        if frame.metadata is None:
+            parser.error(f"{given.frame} has no geometry; give a frame of povray-integral")
         rows, view, places = edges_of(frame, given.least)
         integral.Frame(picture(rows, view, places), encoding="srgb").write(given.picture)
         if given.csv:

@@ -15,10 +15,14 @@ whose eyes see the views from equal parts of its viewing zone.
 import argparse
 import json
 
-import h5py
 import numpy as np
 
 import integral
+
+try:
+    import h5py
+except ImportError:
+    raise SystemExit("hdf5.py: the package python3-h5py is missing; install it") from None
 
 AXES = ("u_mm", "v_mm", "s_mm", "t_mm", "aperture_mm", "poles_mm")
 
