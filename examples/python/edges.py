@@ -129,7 +129,8 @@ def main():
         if frame.metadata is None:
             parser.error(f"{given.frame} has no geometry; give a frame of povray-integral")
         rows, view, places = edges_of(frame, given.least)
-        integral.Frame(picture(rows, view, places), encoding="srgb").write(given.picture)
+        shown = np.round(255 * np.clip(picture(rows, view, places), 0, 1)).astype(np.uint8)
+        integral.Frame(shown, encoding="srgb").write(given.picture)
         if given.csv:
             with open(given.csv, "w", newline="") as file:
                 table = csv.writer(file)

@@ -154,7 +154,8 @@ def write(folder, rows, pictures, given):
     width = min(left.shape[1] for left, _ in pictures)
     sides = [np.concatenate([np.pad(halves[side][:, :width].repeat(3, axis=0), ((0, 6), (0, 3), (0, 0)),
                                     constant_values=1) for halves in pictures]) for side in (0, 1)]
-    integral.Frame(np.hstack(sides).repeat(4, axis=1), encoding="srgb").write(folder / "eyes.png")
+    shown = np.round(255 * np.hstack(sides)).astype(np.uint8).repeat(4, axis=1)
+    integral.Frame(shown, encoding="srgb").write(folder / "eyes.png")
 
 
 def options():
@@ -163,8 +164,8 @@ def options():
     parser.add_argument("--scene", help="a scene with a perspective camera (default: a wall)")
     parser.add_argument("--dpi", type=float, default=600, help="the printer's (default: 600)")
     parser.add_argument("--pixels", type=numbers, metavar="N,N...",
-                        default=[14, 14.125, 14.25, 14.375, 14.5, 14.625, 14.75, 14.875, 15],
-                        help="pixels in a lens pitch, as the eye sees it (default: 14 to 15 in eighths)")
+                        default=[14 + k / 16 for k in range(17)],
+                        help="pixels in a lens pitch, as the eye sees it (default: 14 to 15 in sixteenths)")
     parser.add_argument("--eyes", type=int, default=32, metavar="N", help="places of the eye (default: 32)")
     parser.add_argument("--pupil", type=float, default=4, metavar="MM", help="(default: 4)")
     parser.add_argument("--area", type=float, default=5, metavar="MM",
