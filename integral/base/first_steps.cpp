@@ -11,8 +11,7 @@ const char* first_steps()
   a print: integral sheet --list --print 150x100 --distance 400 --dpi 720    (choose the lens sheet; here 60 lenses an inch)
            povray-integral +ISCENE.pov Integral_Camera="$(integral sheet --lpi 60 --dpi 720 --print 150x100 --distance 400 --camera)"
            integral print SCENE.png -o page.pdf    (first measure the sheet: integral print --chart)
-  a panel: integral lcd --panel looking-glass-go --camera > panel.ini    (integral lcd --list: the panels)
-           povray-integral panel.ini +ISCENE.pov
+  a panel: povray-integral +ISCENE.pov Integral_Panel=looking-glass-go    (integral lcd --list: the panels)
            integral lcd SCENE.png --panel looking-glass-go -o panel.png
 integral help lists all commands; doc/guide.md explains them. Integral_Draft=3 gives a quick look at the same print or panel.
 )steps";
