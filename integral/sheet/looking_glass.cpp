@@ -77,6 +77,37 @@ bool flag(const JsonObject& object, const char* field, bool otherwise)
     return optional_number(object, field, 0, 1).value_or(otherwise ? 1 : 0) >= 0.5;
 }
 
+/// Collects the different quilts in a document, wrapped or not.
+void collect_quilts(const Json& json, int depth, std::vector<Json>& found)
+{
+    if (depth > deepest || found.size() > most_displays)
+        return;
+    if (json.is_object() && json.contains("quiltX") && json.contains("tileX")) {
+        if (std::find(found.begin(), found.end(), json) == found.end())
+            found.push_back(json);
+    } else if (json.is_structured()) {
+        for (const Json& item : json)
+            collect_quilts(item, depth + 1, found);
+    } else if (json.is_string()) {
+        if (const auto document = document_in(json.get_ref<const std::string&>()))
+            collect_quilts(*document, depth + 1, found);
+    }
+}
+
+/// The only quilt in a document; nothing if there are none or several.
+std::optional<PanelQuilt> quilt_in(const Json& document)
+{
+    constexpr int most_tiles = 256;
+    std::vector<Json> found;
+    collect_quilts(document, 0, found);
+    if (found.size() != 1)
+        return std::nullopt;
+    const JsonObject quilt{found.front(), "defaultQuilt"};
+    return PanelQuilt{{whole(quilt, "tileX", 1, most_tiles), whole(quilt, "tileY", 1, most_tiles)},
+                      whole(quilt, "quiltX", most_tiles, largest_side),
+                      whole(quilt, "quiltY", most_tiles, largest_side)};
+}
+
 constexpr CellPattern cell_patterns[] = {CellPattern::same, CellPattern::checkerboard,
                                          CellPattern::columns, CellPattern::staggered,
                                          CellPattern::rows}; // by CellPatternMode
@@ -182,7 +213,9 @@ LookingGlassCalibration looking_glass_from_json(const Json& document)
                                          ? "more than " + std::to_string(most_displays)
                                          : std::to_string(found.size())) +
                                     " displays; leave one");
-    return calibration_from({found.front(), ""});
+    LookingGlassCalibration calibration = calibration_from({found.front(), ""});
+    calibration.quilt = quilt_in(document);
+    return calibration;
 }
 
 Json json_of(const LookingGlassCalibration& calibration)
@@ -202,6 +235,11 @@ Json json_of(const LookingGlassCalibration& calibration)
                  {"flipImageX", int(calibration.flip_x)},
                  {"flipImageY", int(calibration.flip_y)},
                  {"flipSubp", int(calibration.flip_subpixels)}};
+    if (const auto& quilt = calibration.quilt)
+        file["defaultQuilt"] = {{"quiltX", quilt->width},
+                                {"quiltY", quilt->height},
+                                {"tileX", quilt->tiles.columns},
+                                {"tileY", quilt->tiles.rows}};
     if (calibration.cells == Subpixels::cells) {
         const Subpixels upside_down = mirrored(calibration.cells, calibration.width,
                                                calibration.height, false, true);

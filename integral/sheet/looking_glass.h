@@ -5,13 +5,21 @@
 #define INTEGRAL_SHEET_LOOKING_GLASS_H
 
 #include "integral/base/json.h"
+#include "integral/frame/view_grid.h"
 #include "integral/optics/subpixels.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace integral {
+
+/// Views across and up, and the size of the whole quilt in pixels.
+struct PanelQuilt {
+    ViewGrid tiles;
+    int width, height;
+};
 
 /// The fields of a calibration, in the file's units (visual.json). Every display has its own.
 struct LookingGlassCalibration {
@@ -35,6 +43,8 @@ struct LookingGlassCalibration {
                                  ///< flipImageX or flipSubp: both follow the shaders' text alone.
     Subpixels cells; ///< from subpixelCells and CellPatternMode, counted from the top left; none:
                      ///< the formula's stripes
+    std::optional<PanelQuilt> quilt;  ///< defaultQuilt, as Looking Glass Bridge reports it for a
+                                      ///< display: not part of the mapping
     std::vector<std::string> assumed; ///< assumptions about the display, a line each: "viewCone is
                                       ///< missing: ..."
 };
@@ -48,9 +58,9 @@ struct NoCalibration : std::invalid_argument {
 
 /// Reads a calibration, its numbers plain or as {"value": x}, alone or within the wrappers of
 /// Looking Glass Bridge and HoloPlay Core (lists of devices, with the calibration as a string of
-/// JSON). Fields that may be missing have the defaults above; `assumed` then lists the
-/// consequences. Throws std::invalid_argument naming the field, or if there are several displays'
-/// calibrations; NoCalibration if there is none.
+/// JSON, and perhaps the display's quilt next to it). Fields that may be missing have the defaults
+/// above; `assumed` then lists the consequences. Throws std::invalid_argument naming the field, or
+/// if there are several displays' calibrations; NoCalibration if there is none.
 LookingGlassCalibration looking_glass_from_json(const Json& document);
 
 /// A document that looking_glass_from_json reads back to the same doubles.

@@ -25,21 +25,24 @@ bool is_for(const RecommendedQuilt& one, const Panel& panel, bool by_name)
     return by_name ? one.panel == panel.name : have_same_pixels(panel, *panel_named(one.panel));
 }
 
-/// The newest recommended quilt of a panel; with `tiles`, the one of that grid. Null if there is
-/// none.
-const RecommendedQuilt* recommended_for(const Panel& panel, const std::optional<ViewGrid>& tiles)
+/// The quilt that a display reports, or the newest recommended one of a panel; with `tiles`, the
+/// one of that grid. Nothing if there is none.
+std::optional<PanelQuilt> recommended_for(const Panel& panel, const std::optional<ViewGrid>& tiles)
 {
+    const auto is_requested = [&](const PanelQuilt& quilt) {
+        return !tiles || (tiles->columns == quilt.tiles.columns && tiles->rows == quilt.tiles.rows);
+    };
+    if (panel.calibration && panel.calibration->quilt && is_requested(*panel.calibration->quilt))
+        return panel.calibration->quilt;
     const auto& all = recommended_quilts();
     for (const bool by_name : {true, false}) {
         const auto match = std::find_if(all.begin(), all.end(), [&](const RecommendedQuilt& one) {
-            return is_for(one, panel, by_name) &&
-                   (!tiles || (tiles->columns == one.quilt.tiles.columns &&
-                               tiles->rows == one.quilt.tiles.rows));
+            return is_for(one, panel, by_name) && is_requested(one.quilt);
         });
         if (match != all.end())
-            return &*match;
+            return match->quilt;
     }
-    return nullptr;
+    return std::nullopt;
 }
 
 /// The quilt with `parts` times fewer pixels across and down.
@@ -113,8 +116,8 @@ std::optional<ViewGrid> views_in(const std::string& text)
 
 PanelQuilt quilt_for(const Panel& panel, const std::optional<ViewGrid>& tiles, QuiltSize size)
 {
-    const RecommendedQuilt* recommended = recommended_for(panel, tiles);
-    return reduced(recommended ? recommended->quilt
+    const auto recommended = recommended_for(panel, tiles);
+    return reduced(recommended ? *recommended
                                : quilt_of_tiles(panel, tiles.value_or(ViewGrid{8, 6})),
                    size == QuiltSize::draft  ? 4
                    : size == QuiltSize::good ? 2

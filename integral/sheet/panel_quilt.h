@@ -12,12 +12,6 @@
 
 namespace integral {
 
-/// Views across and up, and the size of the whole quilt in pixels.
-struct PanelQuilt {
-    ViewGrid tiles;
-    int width, height;
-};
-
 /// A quilt that a display's maker recommends. Of several for one display, the newest comes first.
 struct RecommendedQuilt {
     std::string panel; ///< its name among known_panels
@@ -37,8 +31,9 @@ constexpr int most_views_of_quilt = 256; ///< across, and up
 /// other texts.
 std::optional<ViewGrid> views_in(const std::string& text);
 
-/// Best is the newest recommended quilt of a known display, or of a panel with its pixels and its
-/// size; with `tiles`, the recommended quilt of that grid. For another panel or another grid
+/// Best is the quilt that the display's own file reports, else the newest recommended quilt of a
+/// known display, or of a panel with its pixels and its size; with `tiles`, such a quilt of that
+/// grid. For another panel or another grid
 /// (default: 8 x 6): tiles of the panel's shape, with 1.5 times the panel's pixels times three in
 /// all, at most 8192 a side.
 PanelQuilt quilt_for(const Panel& panel, const std::optional<ViewGrid>& tiles = {},

@@ -61,6 +61,27 @@ BOOST_AUTO_TEST_CASE(sizes_of_quilts)
     check_quilt(quilt_for(*panel_named("thesis-lcd"), ViewGrid{4, 2}), {4, 2}, 3072, 1152);
 }
 
+BOOST_AUTO_TEST_CASE(a_display_reports_its_quilt)
+{
+    // As Looking Glass Bridge reports a display: the quilt is text next to the calibration.
+    const std::string calibration =
+        R"({"pitch": 44.72, "slope": -6.9, "center": 0.5, "viewCone": 50, "DPI": 283, )"
+        R"("screenW": 3840, "screenH": 2160})";
+    const auto document = [&](const std::string& quilt) {
+        return R"({"devices": [{"calibration": )" + calibration + R"(, "defaultQuilt": )" + quilt +
+               "}]}";
+    };
+    const Panel panel = panel_from_json(document(
+        R"("{\"quiltAspect\":1.77778,\"quiltX\":6000,\"quiltY\":4000,\"tileX\":9,\"tileY\":5}")"));
+    check_quilt(quilt_for(panel), {9, 5}, 6000, 4000);
+    check_quilt(quilt_for(panel, ViewGrid{7, 7}), {7, 7}, 5999, 5999); // by its pixels
+    check_quilt(quilt_for(panel_from_json(to_json(panel))), {9, 5}, 6000, 4000);
+    BOOST_CHECK_THROW(
+        panel_from_json(document(R"({"quiltX": 6000, "quiltY": 4000, "tileX": 0, "tileY": 5})")),
+        std::invalid_argument);
+    check_quilt(quilt_for(panel_from_json(document("null"))), {8, 6}, 7680, 4320);
+}
+
 BOOST_AUTO_TEST_CASE(a_quilt_s_window_is_the_panel)
 {
     const PanelRender render = panel_render(*panel_named("thesis-lcd"),
