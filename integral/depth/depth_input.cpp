@@ -73,6 +73,10 @@ DepthInput of_views(const std::vector<std::string>& inputs, const DepthRequest& 
     requested.of_eyes = true;
     requested.aspect = request.aspect;
     ViewInput given = read_given_views(inputs, requested);
+    if (given.views.size() < 3)
+        throw std::invalid_argument("depth needs 3 views at least, and there are " +
+                                    std::to_string(given.views.size()) +
+                                    "; integral lcd and views draw views of a stereo pair");
     ViewGrid grid = given.grid;
     std::optional<ViewEyes> eyes = request.eyes;
     if (given.metadata)

@@ -72,7 +72,30 @@ ColoursAndDepth photograph_of(const std::string& path)
     return {read_frame(path).image, std::move(*greys)};
 }
 
-/// What the user should know about a measured pair.
+/// The eyes of a pair: a disparity d is seen as the parallax (level - d) pixel / spacing.
+struct PairEyes {
+    double spacing = 0; ///< mm
+    double level = 0;   ///< the disparity in the image plane
+};
+
+/// The eyes for which the ends of a range of disparities are seen at two depths. `pixel`: width of
+/// a pixel, mm. Throws std::invalid_argument if the depths are not in front of the eye, the nearer
+/// one first.
+PairEyes eyes_of_pair(DisparityRange range, const GreyDepths& depths, double distance, double pixel)
+{
+    constexpr double least_range = 0.1; // pixels: a flat picture has no depth to stretch
+    const double near = parallax_of(depths.white, distance),
+                 far = parallax_of(depths.black, distance);
+    if (!(near < far))
+        throw std::invalid_argument(
+            "--depth-range: a pair's nearest depth comes first, is less than "
+            "its farthest, and in front of the eye");
+    const double spacing = pixel * std::max(least_range, range.greatest - range.least) /
+                           (far - near);
+    return {spacing, range.greatest + near * spacing / pixel};
+}
+
+/// Reports the depth of a measured pair to the user, and a poor match.
 void tell_pair(const std::string& name, const PairDisparity& pair, const GreyDepths& depths,
                const ReliefRequest& request)
 {
@@ -198,32 +221,22 @@ ReliefInput relief_of_pair(const std::string& name, Image left, Image right,
                                         progress);
     const GreyDepths depths = request.grey.value_or(depths_within(request.limit, request.distance));
     tell_pair(name, pair, depths, request);
-    // A disparity d becomes the parallax (level - d) pixel / spacing: that of the given depths at
-    // both ends of the range.
-    if (!(depths.white < depths.black))
-        throw std::invalid_argument(
-            "--depth-range: a pair's nearest depth comes first, and is less "
-            "than its farthest");
-    const double pixel = of_maps.factor * raster.pixel,
-                 near = parallax_of(depths.white, request.distance),
-                 far = parallax_of(depths.black, request.distance),
-                 spacing = pixel * std::max(0.1, pair.range.greatest - pair.range.least) /
-                           std::max(1e-9, far - near),
-                 level = pair.range.greatest + near * spacing / pixel;
+    const double pixel = of_maps.factor * raster.pixel;
+    const PairEyes eyes = eyes_of_pair(pair.range, depths, request.distance, pixel);
     std::vector<ReliefPicture> pictures;
     std::vector<ReliefMap> maps;
     for (const double side : {-0.5, 0.5}) {
         std::vector<float>& map = side < 0 ? pair.left : pair.right;
         for (float& d : map)
-            d = float((level - d) * pixel / spacing);
+            d = float((eyes.level - d) * pixel / eyes.spacing);
         pictures.push_back(relief_picture(side < 0 ? left : right, raster, threads));
         maps.push_back(
             relief_map(pair.width, pair.height, of_maps, std::move(map), pictures.size() - 1));
-        place_at(pictures.back(), side * spacing, side * level * pixel);
-        place_at(maps.back(), side * spacing, side * level * pixel);
+        place_at(pictures.back(), side * eyes.spacing, side * eyes.level * pixel);
+        place_at(maps.back(), side * eyes.spacing, side * eyes.level * pixel);
     }
     // The rectangle that both pictures show.
-    const Vec2 size{std::max(pixel, raster.size.x - std::fabs(level) * pixel), raster.size.y};
+    const Vec2 size{std::max(pixel, raster.size.x - std::fabs(eyes.level) * pixel), raster.size.y};
     return {Relief(std::move(pictures), std::move(maps), request.distance, size), form_of(left)};
 }
 

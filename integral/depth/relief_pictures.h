@@ -32,8 +32,8 @@ std::vector<float> parallax_of_greys(const Image& picture, const GreyDepths& gre
 /// z / (distance + z): 1 at infinity, NaN for a point that is not in front of the eye.
 float parallax_of(double mm, double distance);
 
-/// The depths for white and black that the request gives, or that its limit implies; tells the
-/// latter to the user. `white`, `black`: their names in that message.
+/// The depths for white and black that the request gives, or that its limit implies; the latter are
+/// reported to the user. `white`, `black`: their names in that message.
 GreyDepths grey_depths(const std::string& path, const std::string& white, const std::string& black,
                        const ReliefRequest& request);
 
@@ -41,8 +41,9 @@ GreyDepths grey_depths(const std::string& path, const std::string& white, const 
 /// std::invalid_argument if there is no such depth.
 ReliefInput read_own_depth(const std::string& path, const ReliefRequest& request, int threads);
 
-/// Makes a relief of a pair of views, and tells the user about its depth. Nine tenths of it are put
-/// within request.limit of the image plane. Throws std::invalid_argument, Interrupted.
+/// Makes a relief of a pair of views, and reports its depth to the user. Nine tenths of it lie
+/// within request.grey or, without it, within request.limit. Throws std::invalid_argument,
+/// Interrupted.
 ReliefInput relief_of_pair(const std::string& name, Image left, Image right,
                            const ReliefRequest& request, int threads, const Progress& progress);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Measures the depth of a stereo pair: two views, of which each shows what the other one hides.
+// Measures the depth of a stereo pair, in which either picture shows what the other one hides.
 #ifndef INTEGRAL_DEPTH_STEREO_PAIR_H
 #define INTEGRAL_DEPTH_STEREO_PAIR_H
 
