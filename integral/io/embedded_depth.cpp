@@ -200,7 +200,8 @@ std::optional<Image> depth_in_jpeg(const std::string& bytes)
 
 std::optional<Image> embedded_depth(const std::string& path)
 {
-    if (path == "-" || InputFile(path).beginning(2) != "\xff\xd8") // standard input is read once
+    const std::string extension = extension_of(path);
+    if (extension != "jpg" && extension != "jpeg")
         return std::nullopt;
     try {
         return depth_in_jpeg(read_file(path));

@@ -56,7 +56,14 @@ void read_views_of_file(const Bytes& bytes)
     read_picture(bytes);
 }
 
-void read_embedded_depth(const Bytes& bytes) { embedded_depth(file_of(bytes)); }
+void read_embedded_depth(const Bytes& bytes)
+{
+    try {
+        depth_in_jpeg(bytes);
+    } catch (const std::runtime_error& error) { // embedded_depth adds the file's name
+        throw InputError(error.what());
+    }
+}
 
 void read_depth_frame(const Bytes& bytes)
 {
