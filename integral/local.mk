@@ -97,7 +97,7 @@ manual:
 # compile and link with them. All other headers are private.
 interface_headers = base/file_bytes.h base/parallel.h optics/lens_sheet.h optics/camera.h optics/lens_mapping.h \
   optics/beam.h optics/film_in_sight.h sheet/sheet_figures.h frame/frame.h frame/recorded_camera.h io/image_file.h replay/replay.h views/view_input.h \
-  views/perspective_views.h views/light_field.h views/parallel_views.h panel/panel.h panel/interlace.h depth/depth_input.h depth/view_set.h \
+  views/perspective_views.h views/light_field.h views/parallel_views.h sheet/panel.h panel/interlace.h depth/depth_input.h depth/view_set.h \
   depth/depth_quality.h depth/multibaseline.h depth/depth_files.h
 pkgconfigdir = $(libdir)/pkgconfig
 install-libintegral:

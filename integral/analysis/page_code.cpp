@@ -40,7 +40,7 @@ std::optional<bool> has_dot(const Plane& photo, const PhotoCamera& camera, const
 void check_page_code(const Plane& photo, const PhotoCamera& camera,
                      const std::vector<CodeSquare>& code)
 {
-    constexpr std::size_t least = 24; // squares
+    const std::size_t least = std::min<std::size_t>(24, code.size());
     constexpr double least_share = 0.85;
     std::size_t seen = 0, right = 0;
     for (const CodeSquare& square : code)
@@ -48,14 +48,15 @@ void check_page_code(const Plane& photo, const PhotoCamera& camera,
             ++seen;
             right += *dot == square.dot;
         }
-    if (seen < std::min(least, code.size()))
+    if (seen < least)
         throw std::invalid_argument(
-            "less than " + std::to_string(least) +
+            "fewer than " + std::to_string(least) +
             " white squares between the rings are visible; photograph the page without anything on "
             "its squares, sharp");
     if (!(double(right) >= least_share * double(seen)))
         throw std::invalid_argument("its code is that of a page for other options; give the "
-                                    "options that the page was made with, which its heading has");
+                                    "options that the page was made with, which its heading has, "
+                                    "or print the page again");
 }
 
 } // namespace integral

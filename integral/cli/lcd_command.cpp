@@ -87,6 +87,8 @@ void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
     const auto groups = lcd.card ? std::vector<Arguments>{{"--card"}} : groups_of(o, images);
     if (o.show && groups.size() > 1)
         throw UsageError("--show shows one image; -o makes several, which --play plays");
+    if (o.show)
+        check_display(panel.film.width, panel.film.height, groups[0][0], lcd.showing);
     if (o.html)
         make_page(o, lcd, images, groups);
     if (lcd.output.empty() && !o.show)

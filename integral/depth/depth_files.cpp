@@ -109,13 +109,14 @@ std::string exr_of(const UprightMap& map, bool as_disparity)
             depths[i] = disparity[i] = 0;
     }
     const bool in_mm = map.scale && !as_disparity;
-    return encode_depths(map.width, map.height,
-                         {{"A", &known},
-                          {"Y", in_mm ? &depths : &disparity},
-                          {"Z", &depths},
-                          {"confidence", &map.confidence},
-                          {"disparity", &disparity}},
-                         in_mm ? depth_in_mm : depth_as_disparity, "");
+    std::vector<NamedFloats> channels = {{"A", &known},
+                                         {"Y", in_mm ? &depths : &disparity},
+                                         {"confidence", &map.confidence},
+                                         {"disparity", &disparity}};
+    if (map.scale)
+        channels.push_back({"Z", &depths});
+    return encode_depths(map.width, map.height, channels, in_mm ? depth_in_mm : depth_as_disparity,
+                         "");
 }
 
 } // namespace

@@ -132,7 +132,9 @@ std::vector<Group> pictures_of(const std::vector<Imf::Header>& headers)
         else if (group.is_grey() && !has_depths(headers[std::size_t(group.part)]))
             greys.push_back(std::move(group));
     if (colours.empty() && greys.empty())
-        throw std::runtime_error("it has no channels R, G and B");
+        throw std::runtime_error(std::any_of(headers.begin(), headers.end(), has_depths)
+                                     ? "it contains depths, not a picture"
+                                     : "it has no channels R, G and B");
     return colours.empty() ? greys : colours;
 }
 

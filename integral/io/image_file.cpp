@@ -246,10 +246,15 @@ std::vector<Image> read_list_of_views(const std::string& path, std::size_t most)
 std::vector<std::string> names_of_layers(const std::string& path)
 {
     const InputFile file(path);
-    return guarded(path, [&]() -> std::vector<std::string> {
+    return guarded(path, [&] {
         if (!is_open_raster(file))
-            return {};
-        return OpenRaster(file).names();
+            throw std::runtime_error("it is no OpenRaster file, whose ZIP begins with an "
+                                     "uncompressed mimetype; save it by a painting program");
+        std::vector<std::string> names = OpenRaster(file).names();
+        if (names.empty())
+            throw std::runtime_error("none of its layers is visible; show those that the frame is "
+                                     "to have");
+        return names;
     });
 }
 

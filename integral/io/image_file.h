@@ -106,8 +106,8 @@ bool is_list_of_views(const std::string& path);
 /// InputError.
 std::vector<Image> read_list_of_views(const std::string& path, std::size_t most = SIZE_MAX);
 
-/// Names of the visible layers of an OpenRaster file (.ora), the lowest first; empty for other
-/// files. Throws InputError.
+/// Names of the visible layers of an OpenRaster file (.ora), the lowest first; at least one. Throws
+/// InputError.
 std::vector<std::string> names_of_layers(const std::string& path);
 
 /// Width and height of a picture, without reading its pixels. Throws InputError.

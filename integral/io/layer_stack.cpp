@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 
 namespace integral {
 namespace {
@@ -28,24 +29,29 @@ struct Builder {
             error = what;
     }
 
-    template <class Number> void read(const char* text, Number least, Number most, Number& to)
+    /// Reads a number; whole ones may have decimals of 0, as some programs write them.
+    template <class Number>
+    void read(const char* name, const char* text, Number least, Number most, Number& to)
     {
-        Number value{};
+        double value = 0;
         const char* end = text + std::strlen(text);
         const auto [stop, code] = std::from_chars(text, end, value);
-        if (code != std::errc() || stop != end || !(value >= least && value <= most))
-            fail(std::string("its stack.xml has the number \"") + text + "\"");
+        if (code != std::errc() || stop != end || !(value >= least && value <= most) ||
+            Number(value) != value)
+            fail(std::string("its stack.xml has ") + name + "=\"" + text + "\"; a " +
+                 (std::is_integral_v<Number> ? "whole number" : "number") + " from " +
+                 std::to_string(int(least)) + " to " + std::to_string(int(most)) + " is expected");
         else
-            to = value;
+            to = Number(value);
     }
 
     void read_canvas(const char** attributes)
     {
         for (; *attributes; attributes += 2)
             if (std::strcmp(attributes[0], "w") == 0)
-                read(attributes[1], 1, max_side, stack.width);
+                read("w", attributes[1], 1, max_side, stack.width);
             else if (std::strcmp(attributes[0], "h") == 0)
-                read(attributes[1], 1, max_side, stack.height);
+                read("h", attributes[1], 1, max_side, stack.height);
     }
 
     StackedLayer layer_of(const char** attributes)
@@ -62,11 +68,11 @@ struct Builder {
             else if (name == "composite-op")
                 layer.blending = value;
             else if (name == "x")
-                read(value, -max_side, max_side, layer.left);
+                read("x", value, -max_side, max_side, layer.left);
             else if (name == "y")
-                read(value, -max_side, max_side, layer.top);
+                read("y", value, -max_side, max_side, layer.top);
             else if (name == "opacity")
-                read(value, 0.0, 1.0, layer.opacity);
+                read("opacity", value, 0.0, 1.0, layer.opacity);
             else if (name == "visibility")
                 layer.visible = std::strcmp(value, "hidden") != 0;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "integral/io/open_raster.h"
 
+#include "integral/base/interrupt.h"
 #include "integral/base/memory.h"
 #include "integral/io/as_shown.h"
 
@@ -12,7 +13,7 @@
 namespace integral {
 namespace {
 
-/// What the first entry of an OpenRaster file's ZIP contains, with the header before it.
+/// Name and content of the first entry of an OpenRaster file's ZIP.
 constexpr char media_type[] = "mimetypeimage/openraster";
 constexpr std::uint64_t media_type_at = 30;
 
@@ -24,9 +25,9 @@ struct CloseEntry {
 };
 
 /// Bytes that outlive the reader of their PNG.
-class PngReader : public RowReader {
+class ArchivedPng : public RowReader {
 public:
-    explicit PngReader(std::string bytes)
+    explicit ArchivedPng(std::string bytes)
         : bytes_(std::move(bytes)), file_(InputFile::of_bytes(bytes_)), rows_(read_png(file_))
     {
         head_ = rows_->head();
@@ -89,13 +90,23 @@ struct OpenRaster::Archive {
         return content;
     }
 
+    /// Throws std::runtime_error, and Interrupted.
     Image picture(const std::string& name) const
     {
-        return whole_picture(*as_shown(std::make_unique<PngReader>(entry(name)))).image;
+        constexpr double most_pixels = 1e10; // of all layers: minutes
+        stop_if_interrupted();
+        const auto reader = as_shown(std::make_unique<ArchivedPng>(entry(name)));
+        const Image& form = reader->head().image;
+        decoded_pixels += double(form.width) * form.height;
+        if (decoded_pixels > most_pixels)
+            throw std::runtime_error("its layers have more than 1e10 pixels together");
+        return whole_picture(*reader).image;
     }
+
+    mutable double decoded_pixels = 0;
 };
 
-/// Draws a layer, or what is inside a group, when the rows are wanted.
+/// Draws a layer, or what is inside a group, when the first row is read.
 class OpenRaster::LayerReader : public RowReader {
 public:
     LayerReader(std::shared_ptr<const Archive> archive, const StackedLayer& layer, int width,
@@ -120,8 +131,9 @@ private:
     /// The most bits of any picture inside.
     int bits_of(const StackedLayer& layer) const
     {
+        stop_if_interrupted();
         if (!layer.source.empty())
-            return sample_bits(PngReader(archive_->entry(layer.source)).head().image);
+            return sample_bits(ArchivedPng(archive_->entry(layer.source)).head().image);
         int bits = 8;
         for (const StackedLayer& inside : layer.inside)
             if (inside.visible)
@@ -217,7 +229,7 @@ std::unique_ptr<RowReader> OpenRaster::layer(std::size_t index) const
 
 std::unique_ptr<RowReader> OpenRaster::merged() const
 {
-    return std::make_unique<PngReader>(archive_->entry("mergedimage.png"));
+    return std::make_unique<ArchivedPng>(archive_->entry("mergedimage.png"));
 }
 
 } // namespace integral

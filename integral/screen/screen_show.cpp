@@ -56,6 +56,11 @@ bool may_go_on() { return !interrupted(); }
 
 } // namespace
 
+void check_display(int width, int height, const std::string& name, const ShowOptions& options)
+{
+    choose_screen(Desktop().screens(), options.display, name, width, height);
+}
+
 void show_picture(const Image& picture, const std::string& name, const ShowOptions& options)
 {
     const Desktop desktop;

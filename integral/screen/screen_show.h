@@ -18,6 +18,9 @@ struct ShowOptions {
     double seconds = 0;           ///< duration; 0: until the user ends it
 };
 
+/// Throws OutputError as show_picture does, before there is a picture of that size.
+void check_display(int width, int height, const std::string& name, const ShowOptions& options);
+
 /// Shows a picture, which messages call `name`. Throws OutputError if no display shows it pixel for
 /// pixel, Interrupted after an interruption.
 void show_picture(const Image& picture, const std::string& name, const ShowOptions& options);

@@ -88,13 +88,14 @@ PanelRender panel_render(const Panel& panel, const std::optional<PanelQuilt>& qu
     std::string words = camera_words(native), fit = fit_words();
     if (!quilt)
         return {{panel.film.width, panel.film.height}, words, fit, std::nullopt};
+    constexpr double most_part = 50; // of fit_words, for the greatest fit that the camera takes
     // The quilt's pixels have another depth budget than the panel's, which are seen.
     const Vec2 window = size_of(panel.film);
     FrameMetadata geometry = native;
     geometry.film.pixel_pitch = {window.x / quilt->width, window.y / quilt->height};
     const auto budget = seen_budget(native), of_quilt = seen_budget(geometry);
     if (budget && of_quilt)
-        fit = fit_words(*budget / *of_quilt);
+        fit = fit_words(std::min(most_part, *budget / *of_quilt));
     // The window keeps its size in mm whatever number of pixels is rendered.
     const std::string film = film_words(panel.film);
     words.replace(words.find(film), film.size(),
@@ -120,6 +121,10 @@ PanelRender panel_render(const PanelRequest& request)
                                     " is a size of a panel's quilt; name the panel, as in "
                                     "Integral_Panel=looking-glass-go, or give the views, as in "
                                     "Integral_Quilt=8x6");
+    if (request.width.value_or(1) < 1 || request.height.value_or(1) < 1)
+        throw std::invalid_argument("Integral_Panel=" + request.panel + ": " +
+                                    options_text(request.width, request.height) +
+                                    " is no size; leave +W and +H out");
     Panel panel;
     try {
         panel = find_panel(request.panel);

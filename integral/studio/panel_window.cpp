@@ -13,7 +13,7 @@ std::string PanelWindow::open(const std::string& file, const std::string& panel)
     problem_.reset();
     // The first thread may be at its end, and answers no longer.
     settled_.wait_for(lock, std::chrono::seconds(5), [&] { return problem_.has_value(); });
-    return problem_.value_or("");
+    return problem_.value_or("the window is not open yet; try again");
 }
 
 void PanelWindow::work()

@@ -4,11 +4,13 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/json.h"
 #include "integral/batch/renderer_options.h"
+#include "integral/io/image_file.h"
 #include "integral/io/markup.h"
 #include "integral/print/frame_print.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 namespace integral {
@@ -74,6 +76,16 @@ std::string print_name(const std::string& scene, const PlacementSettings& settin
 std::string for_renderer(const std::string& name)
 {
     return for_shell(name) == name ? name : for_shell(quoted(name));
+}
+
+/// Whether a frame has a panel's pixels and lenses.
+bool is_of_panel(const FrameMetadata& made, const Panel& panel)
+{
+    constexpr double tolerance = 1e-4;
+    const FrameMetadata own = frame_geometry(panel);
+    return made.film.width == own.film.width && made.film.height == own.film.height &&
+           std::fabs(made.sheet.pitch / own.sheet.pitch - 1) < tolerance &&
+           std::fabs(made.sheet.slant - own.sheet.slant) < tolerance;
 }
 
 } // namespace
@@ -189,6 +201,10 @@ std::string Studio::show(const PlacementSettings& settings) const
     const std::string& panel = settings.panel->name;
     if (!panel_named(panel) && !(first_.panel && first_.panel->name == panel))
         throw std::invalid_argument("panel is none of this page; choose one in its list");
+    const FrameMetadata made = read_metadata(print);
+    if (!is_of_panel(made, *settings.panel))
+        throw std::invalid_argument(print + " is not of this panel; render the panel's image "
+                                            "first");
     const std::string problem = window_.open(print, panel);
     if (!problem.empty())
         throw std::invalid_argument(problem);

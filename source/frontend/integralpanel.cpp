@@ -69,7 +69,9 @@ bool Has_Word(const std::string& words, const char *word)
 void Set(POVMSObject& options, const integral::PanelRender& render)
 {
     const std::string words = Text_Of(options, kIntegralAttrib_Camera);
-    const std::string fit = Has_Word(words, "fit") ? "" : " " + render.fit;
+    const std::string fit = Has_Word(words, "fit") || Has_Word(words, "move_eye")
+                                ? ""
+                                : " " + render.fit;
     Set_Text(options, kIntegralAttrib_Camera, render.camera + fit + " " + words);
     if (render.quilt)
         Set_Text(options, kIntegralAttrib_Quilt,
