@@ -19,34 +19,53 @@ namespace {
 const std::string xmp_name = std::string("http://ns.adobe.com/xap/1.0/") + '\0',
                   extension_name = std::string("http://ns.adobe.com/xmp/extension/") + '\0';
 
-/// The XMP of a JPEG: its main part, then its extension, whose parts are in their own order.
+/// The XMP of a JPEG: its main part, and its extension, whose parts are in their own order.
+struct Xmp {
+    std::string main, extension;
+    bool damaged = false; ///< a part of the extension is outside of the whole
+};
+
+/// Puts a part of the extension, whose content without its name begins at `begin`, in its place.
+void add_part(Xmp& xmp, const std::string& bytes, std::size_t begin, std::size_t end)
+{
+    constexpr std::size_t guid = 32, head = guid + 8; // bytes before the sizes, and the content
+    const TiffNumbers file(bytes, 0); // reads big-endian, as no JPEG begins with II
+    const std::size_t whole = file.at(begin + guid, 4), offset = file.at(begin + guid + 4, 4);
+    begin = std::min(end, begin + head);
+    std::string& extension = xmp.extension;
+    xmp.damaged = xmp.damaged || whole > bytes.size() || offset > whole ||
+                  end - begin > whole - offset || (!extension.empty() && extension.size() != whole);
+    if (xmp.damaged)
+        return;
+    extension.resize(whole, ' ');
+    extension.replace(offset, end - begin, bytes, begin, end - begin);
+}
+
+/// The XMP of a JPEG as one text, without a damaged extension. Throws std::runtime_error if depth
+/// is in that extension.
 std::string xmp_of(const std::string& bytes)
 {
-    constexpr std::size_t guid = 32; // bytes before the extension's size and a part's offset
-    std::string main, extension;
-    const TiffNumbers file(bytes, 0); // reads big-endian, as no JPEG begins with II
+    Xmp xmp;
+    const TiffNumbers file(bytes, 0);
     for (std::size_t at = 2; at + 4 <= bytes.size() && bytes[at] == '\xff';) {
         const auto marker = std::uint8_t(bytes[at + 1]);
         if (marker == 0xda || marker == 0xd9) // pixels follow, or nothing
             break;
         const std::size_t size = file.at(at + 2, 2), content = at + 4;
         const std::size_t end = std::min(bytes.size(), at + 2 + size);
-        if (marker == 0xe1 && bytes.compare(content, xmp_name.size(), xmp_name) == 0) {
-            const std::size_t begin = std::min(end, content + xmp_name.size());
-            main = bytes.substr(begin, end - begin);
-        } else if (marker == 0xe1 &&
-                   bytes.compare(content, extension_name.size(), extension_name) == 0) {
-            const std::size_t numbers = content + extension_name.size() + guid;
-            const std::size_t whole = file.at(numbers, 4), offset = file.at(numbers + 4, 4);
-            const std::size_t begin = std::min(end, numbers + 8);
-            if (whole > bytes.size() || offset > whole || end - begin > whole - offset)
-                throw std::runtime_error("a part of its XMP is outside of the whole");
-            extension.resize(whole, ' ');
-            extension.replace(offset, end - begin, bytes, begin, end - begin);
-        }
+        const auto begins_with = [&](const std::string& name) {
+            return marker == 0xe1 && content + name.size() <= end &&
+                   bytes.compare(content, name.size(), name) == 0;
+        };
+        if (begins_with(xmp_name))
+            xmp.main = bytes.substr(content + xmp_name.size(), end - content - xmp_name.size());
+        else if (begins_with(extension_name))
+            add_part(xmp, bytes, content + extension_name.size(), end);
         at += 2 + std::max<std::size_t>(2, size);
     }
-    return main + extension;
+    if (xmp.damaged && xmp.main.find("GDepth:") != std::string::npos)
+        throw std::runtime_error("its extended XMP is damaged");
+    return xmp.damaged ? xmp.main : xmp.main + xmp.extension;
 }
 
 /// The value of a property in XMP, as an attribute or an element; nothing if it is not there.
@@ -76,20 +95,22 @@ double number_of(const std::string& xmp, const std::string& name, double otherwi
     return text && end == text->c_str() ? otherwise : number;
 }
 
-/// The bytes of a text in base64; other characters are skipped.
+/// The bytes of a text in base64; other characters, and XML's escapes of line ends, are skipped.
 std::string from_base64(const std::string& text)
 {
     std::string bytes;
     std::uint32_t bits = 0;
     int count = 0;
+    bool escape = false;
     for (const char c : text) {
+        escape = c == '&' || (escape && c != ';');
         const int digit = c >= 'A' && c <= 'Z'   ? c - 'A'
                           : c >= 'a' && c <= 'z' ? c - 'a' + 26
                           : c >= '0' && c <= '9' ? c - '0' + 52
                           : c == '+'             ? 62
                           : c == '/'             ? 63
                                                  : -1;
-        if (digit < 0)
+        if (digit < 0 || escape)
             continue;
         bits = bits << 6 | std::uint32_t(digit);
         count += 6;
@@ -104,41 +125,46 @@ std::string from_base64(const std::string& text)
 /// A part of a Dynamic Depth file, as its list in the XMP describes it.
 struct Part {
     bool is_depth = false;
-    std::size_t length = 0; ///< bytes
+    double length = 0; ///< bytes
 };
 
+/// The parts in the list; none if the list is too long or its tags are.
 std::vector<Part> parts_in(const std::string& xmp)
 {
+    constexpr std::size_t most_parts = 64, longest_tag = 4096;
+    const std::string mark = "Item:Mime";
     std::vector<Part> parts;
-    for (std::size_t at = xmp.find("Item:Mime"); at != std::string::npos;
-         at = xmp.find("Item:Mime", at + 1)) {
-        const std::size_t begin = xmp.rfind('<', at), end = xmp.find('>', at);
-        if (begin == std::string::npos || end == std::string::npos)
-            break;
-        const std::string tag = xmp.substr(begin, end - begin);
+    for (std::size_t at = xmp.find(mark), last = 0; at != std::string::npos;
+         at = xmp.find(mark, last)) {
+        const std::size_t begin = std::max(last, at - std::min(at, longest_tag));
+        const std::string around = xmp.substr(begin, at - begin + longest_tag);
+        const std::size_t first = around.rfind('<', at - begin), end = around.find('>', at - begin);
+        if (first == std::string::npos || end == std::string::npos || parts.size() == most_parts)
+            return {};
+        const std::string tag = around.substr(first, end - first);
         const std::string semantic = property(tag, "Item:Semantic").value_or(""),
                           uri = property(tag, "Item:DataURI").value_or("");
-        const double length = number_of(tag, "Item:Length", 0);
-        if (!(length >= 0 && length < 4e9))
-            throw std::runtime_error("its list of parts makes no sense");
-        parts.push_back(
-            {semantic == "Depth" || uri.find("depth") != std::string::npos, std::size_t(length)});
+        parts.push_back({semantic == "Depth" || uri.find("depth") != std::string::npos,
+                         number_of(tag, "Item:Length", 0)});
+        last = begin + end;
     }
     return parts;
 }
 
 /// The bytes of the depth picture behind a photograph; the parts end where the file ends. Empty if
-/// there is none.
+/// there is none. Throws std::runtime_error if the list has one that the file has not.
 std::string appended_depth(const std::string& bytes, const std::string& xmp)
 {
     const std::vector<Part> parts = parts_in(xmp);
-    std::size_t end = bytes.size();
+    double behind = 0;                             // bytes from a part's first to the file's end
     for (std::size_t k = parts.size(); k-- > 1;) { // the first one is the photograph
-        if (parts[k].length > end)
-            throw std::runtime_error("its list of parts reaches beyond its beginning");
-        end -= parts[k].length;
-        if (parts[k].is_depth)
-            return bytes.substr(end, parts[k].length);
+        const double length = parts[k].length;
+        behind = length >= 0 ? behind + length : HUGE_VAL;
+        if (!parts[k].is_depth)
+            continue;
+        if (behind > double(bytes.size()))
+            throw std::runtime_error("the file is shorter than its list of parts");
+        return bytes.substr(bytes.size() - std::size_t(behind), std::size_t(length));
     }
     return "";
 }
@@ -208,7 +234,8 @@ std::optional<Image> embedded_depth(const std::string& path)
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {
-        throw InputError(path + ": its depth cannot be read: " + reason_of(error));
+        throw InputError(path + ": its depth cannot be read: " + reason_of(error) +
+                         "; --depth none leaves it out");
     }
 }
 

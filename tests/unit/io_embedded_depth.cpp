@@ -107,8 +107,43 @@ BOOST_AUTO_TEST_CASE(a_picture_behind_the_photograph)
                              item("Primary", 0) + item("Depth", depth.size()) +
                              item("MotionPhoto", video.size());
     check_nearness(photograph(xmp(list)) + depth + video, inverse);
+    // The video's length is wrong, or is missing from the file: no matter, if no depth is listed.
+    for (const std::string& wrong :
+         {item("MotionPhoto", 1000000), "<A Item:Mime='' Item:Length='-1'/>"s})
+        BOOST_TEST(!depth_in_jpeg(photograph(xmp(item("Primary", 0) + wrong))).has_value());
+    const std::string stripped = item("Primary", 0) + item("Depth", 9) +
+                                 item("MotionPhoto", 1000000);
+    BOOST_CHECK_THROW(depth_in_jpeg(photograph(xmp(stripped))), std::runtime_error);
     const std::string long_list = item("Primary", 0) + item("Depth", 1000000);
     BOOST_CHECK_THROW(depth_in_jpeg(photograph(xmp(long_list)) + depth), std::runtime_error);
+}
+
+BOOST_AUTO_TEST_CASE(line_ends_in_the_text)
+{
+    const std::string whole = gdepth("RangeLinear");
+    const std::size_t middle = whole.find("GDepth:Data") + 40;
+    for (const std::string& end : {"\n"s, "&#10;"s, "&#xA;"s, "&#13;&#10;"s})
+        check_nearness(photograph(xmp(whole.substr(0, middle) + end + whole.substr(middle))),
+                       linear);
+}
+
+BOOST_AUTO_TEST_CASE(hostile_lists_of_parts)
+{
+    const auto repeated = [](const std::string& tag, int count) {
+        std::string list;
+        for (int k = 0; k < count; ++k)
+            list += tag;
+        return list;
+    };
+    const std::string depth = "<A Item:Mime=\"a\" Item:Semantic=\"Depth\" Item:Length=\"1\"/>";
+    for (const std::string& list :
+         {repeated("<Item:Mime", 20000), repeated("Item:Mime>", 20000), repeated(depth, 1000)}) {
+        std::string segments;
+        const std::size_t part = 60000;
+        for (std::size_t k = 0; k < list.size(); k += part)
+            segments += extension(list, k, part);
+        BOOST_TEST(!depth_in_jpeg(photograph(segments)).has_value());
+    }
 }
 
 BOOST_AUTO_TEST_CASE(files_without_depth)
@@ -120,7 +155,12 @@ BOOST_AUTO_TEST_CASE(files_without_depth)
     const std::string beyond = segment("http://ns.adobe.com/xmp/extension/\0"s +
                                        std::string(32, 'g') + big_endian(5, 4) + big_endian(3, 4) +
                                        "abc"); // at 3 of 5 bytes
-    BOOST_CHECK_THROW(depth_in_jpeg(photograph(beyond)), std::runtime_error);
+    BOOST_TEST(!depth_in_jpeg(photograph(beyond)).has_value());
+    const std::string other = extension("another", 0, 7), whole = gdepth("RangeLinear");
+    for (const std::string& damaged : {beyond, other + extension(whole, 0, whole.size())})
+        BOOST_CHECK_THROW(
+            depth_in_jpeg(photograph(xmp("<rdf:Description GDepth:Near=\"2\"/>") + damaged)),
+            std::runtime_error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
