@@ -204,8 +204,10 @@ ReliefInput read_photograph(const std::string& path, const ReliefRequest& reques
 void need_scale(const ViewSet& views)
 {
     if (!views.scale)
-        throw std::invalid_argument("millimetres are not known, as the views do not say where they "
-                                    "were taken from; --eyes would tell");
+        throw std::invalid_argument(
+            "millimetres are not known, because the views have no record of "
+            "their eyes; give --eyes (integral depth, and integral views "
+            "--to-frame)");
 }
 
 } // namespace
@@ -233,9 +235,13 @@ Relief measured_relief(const DepthInput& input, DepthQuality quality, int thread
 ReliefInput read_relief(const std::vector<std::string>& inputs, const ReliefRequest& request,
                         int threads, const Progress& progress)
 {
-    if (request.own != OwnDepth::none && inputs.size() == 1)
+    const bool own = request.own != OwnDepth::none && inputs.size() == 1;
+    const bool photograph = !own && is_photograph(inputs, request);
+    if ((own || photograph) && request.input.right_to_left)
+        throw std::invalid_argument("--right-to-left is for views and pairs; it is one picture");
+    if (own)
         return read_own_depth(inputs[0], request, threads);
-    if (is_photograph(inputs, request))
+    if (photograph)
         return read_photograph(inputs[0], request, threads);
     if (auto pair = pair_in(inputs, request))
         return relief_of_pair(inputs[0], std::move((*pair)[0]), std::move((*pair)[1]), request,

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 namespace integral {
@@ -78,21 +79,44 @@ struct PairEyes {
     double level = 0;   ///< the disparity in the image plane
 };
 
-/// The eyes for which the ends of a range of disparities are seen at two depths. `pixel`: width of
-/// a pixel, mm. Throws std::invalid_argument if the depths are not in front of the eye, the nearer
-/// one first.
+/// The depths of a pair's nearest and farthest parts. Throws std::invalid_argument if they are not
+/// in front of the eye, the nearer one first.
+GreyDepths pair_depths(const ReliefRequest& request)
+{
+    const GreyDepths depths = request.grey.value_or(depths_within(request.limit, request.distance));
+    if (!(parallax_of(depths.white, request.distance) <
+          parallax_of(depths.black, request.distance)))
+        throw std::invalid_argument(
+            "--depth-range: a pair's nearest depth comes first, is less than "
+            "its farthest, and in front of the eye");
+    return depths;
+}
+
+/// The eyes for which the ends of a range of disparities are seen at two depths (pair_depths).
+/// `pixel`: width of a pixel, mm.
 PairEyes eyes_of_pair(DisparityRange range, const GreyDepths& depths, double distance, double pixel)
 {
     constexpr double least_range = 0.1; // pixels: a flat picture has no depth to stretch
     const double near = parallax_of(depths.white, distance),
                  far = parallax_of(depths.black, distance);
-    if (!(near < far))
-        throw std::invalid_argument(
-            "--depth-range: a pair's nearest depth comes first, is less than "
-            "its farthest, and in front of the eye");
     const double spacing = pixel * std::max(least_range, range.greatest - range.least) /
                            (far - near);
     return {spacing, range.greatest + near * spacing / pixel};
+}
+
+/// Whether a map of depths has colours: in more than a twentieth of its pixels the channels differ
+/// by more than JPEG's losses, also next to the colours of an RGBD picture's left half.
+bool has_colours(const Image& map)
+{
+    constexpr float lost = 16.0F / 255;
+    constexpr int share = 20;
+    std::int64_t coloured = 0;
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+            const auto c = stored_pixel(map, x, y);
+            coloured += std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}) > lost;
+        }
+    return coloured * share > std::int64_t(map.width) * map.height;
 }
 
 /// Reports the depth of a measured pair to the user, and a poor match.
@@ -161,6 +185,9 @@ float parallax_of(double mm, double distance)
 
 std::vector<float> parallax_of_greys(const Image& picture, const GreyDepths& grey, double distance)
 {
+    if (has_colours(picture))
+        throw std::invalid_argument("the map of depths has colours; give a grey one, or a .pfm or "
+                                    ".exr file (integral depth -o FILE.pfm)");
     const float white = parallax_of(grey.white, distance),
                 black = parallax_of(grey.black, distance);
     if (!(std::isfinite(white) && std::isfinite(black)))
@@ -212,6 +239,7 @@ ReliefInput relief_of_pair(const std::string& name, Image left, Image right,
     constexpr int map_width = 480; // pixels: of maps; the pictures may have more
     if (left.width != right.width || left.height != right.height)
         throw std::invalid_argument("its two pictures differ in size");
+    const GreyDepths depths = pair_depths(request);
     if (request.input.right_to_left)
         std::swap(left, right);
     PictureRaster raster = raster_of(left, request), of_maps = raster;
@@ -219,7 +247,6 @@ ReliefInput relief_of_pair(const std::string& name, Image left, Image right,
     PairDisparity pair = pair_disparity(averaged(left, of_maps.factor, threads),
                                         averaged(right, of_maps.factor, threads), threads,
                                         progress);
-    const GreyDepths depths = request.grey.value_or(depths_within(request.limit, request.distance));
     tell_pair(name, pair, depths, request);
     const double pixel = of_maps.factor * raster.pixel;
     const PairEyes eyes = eyes_of_pair(pair.range, depths, request.distance, pixel);

@@ -25,8 +25,8 @@ PictureRaster raster_of(const Image& picture, const ReliefRequest& request);
 /// The light of a picture from an eye in the middle, reduced as the request says.
 ReliefPicture relief_picture(const Image& picture, const PictureRaster& raster, int threads);
 
-/// Parallax of a grey picture's pixels. Throws std::invalid_argument if white or black is behind
-/// the eye.
+/// Parallax of a grey picture's pixels. Throws std::invalid_argument if the picture has colours, or
+/// white or black is behind the eye.
 std::vector<float> parallax_of_greys(const Image& picture, const GreyDepths& grey, double distance);
 
 /// z / (distance + z): 1 at infinity, NaN for a point that is not in front of the eye.
