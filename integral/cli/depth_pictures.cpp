@@ -46,7 +46,8 @@ bool is_rgbd_name(const std::string& path)
     std::string name = path.substr(0, path.rfind('.'));
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char letter) { return char(std::tolower(letter)); });
-    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+    return name.size() >= end.size() &&
+           name.compare(name.size() - end.size(), end.size(), end) == 0;
 }
 
 /// Where a picture has its own depth: "beside" it, by its name, or "inside" its file.
