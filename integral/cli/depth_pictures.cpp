@@ -18,25 +18,18 @@
 namespace integral {
 namespace {
 
-/// Makes the relief so large that its pictures fit the panel.
-void fit_on_panel(Relief& relief, const DepthViewsRequest& request)
+/// Makes the relief so large that its pictures fit the panel. Returns the rectangle that views
+/// show, mm: the panel's or, within 1%, the pictures'. Tells the user of bars and cut sides.
+Vec2 fit_on_panel(Relief& relief, const std::string& name, const DepthViewsRequest& request)
 {
     const Vec2 panel = size_of(request.panel.film), size = relief.size();
     const double across = panel.x / size.x, up = panel.y / size.y;
     relief.scale(request.fit == Fit::cover ? std::max(across, up) : std::min(across, up));
-}
-
-/// Pixels of a view of the picture whose size on the panel is `seen` mm.
-PixelSize size_of_view(const DepthViewsRequest& request, const PanelQuilt& quilt, Vec2 seen)
-{
-    if (request.size)
-        return *request.size;
-    const Vec2 panel = size_of(request.panel.film);
-    const auto pixels = [](double part, int tile) {
-        return std::max(1, int(std::lround(part * tile)));
-    };
-    return {pixels(seen.x / panel.x, quilt.width / quilt.tiles.columns),
-            pixels(seen.y / panel.y, quilt.height / quilt.tiles.rows)};
+    const FittedPicture picture = fitted(size.x / size.y, panel.x / panel.y, request.fit);
+    if (!picture.differs())
+        return relief.size();
+    say(request.command, name + ": " + fit_text(picture, "the panel"));
+    return panel;
 }
 
 /// Whether a file's name ends in rgbd, in any case, before its extension, as in photo_rgbd.png.
@@ -59,7 +52,7 @@ std::optional<std::string> own_place(const std::string& path)
 }
 
 ReliefRequest relief_request(const std::vector<std::string>& inputs, const DepthSource& source,
-                             const DepthViewsRequest& request, const PanelQuilt& quilt)
+                             const DepthViewsRequest& request)
 {
     if (request.fit == Fit::stretch)
         throw UsageError("--fit stretch: a scene with depth cannot be stretched; contain or cover");
@@ -68,13 +61,20 @@ ReliefRequest relief_request(const std::vector<std::string>& inputs, const Depth
     relief.size = size_of(request.panel.film);
     relief.distance = request.panel.aperture.distance;
     relief.fit = request.fit;
-    relief.width = request.size ? request.size->width : quilt.width / quilt.tiles.columns;
+    relief.width = size_of_view(request).width;
     relief.tell = [&request](const std::string& what) { say(request.command, what); };
     set_depth_source(relief, inputs, source, frame_geometry(request.panel));
     return relief;
 }
 
 } // namespace
+
+PixelSize size_of_view(const DepthViewsRequest& request)
+{
+    const PanelQuilt quilt = quilt_for(request.panel, request.grid);
+    return request.size.value_or(
+        PixelSize{quilt.width / quilt.tiles.columns, quilt.height / quilt.tiles.rows});
+}
 
 bool has_own_depth(const std::string& path, const DepthSource& source)
 {
@@ -115,23 +115,21 @@ ViewInput views_by_depth(const std::vector<std::string>& inputs, const DepthSour
                          const DepthViewsRequest& request)
 {
     const FrameMetadata geometry = frame_geometry(request.panel);
-    const PanelQuilt quilt = quilt_for(request.panel, request.grid);
     const Progress bar = progress_bar(request.command);
     ViewInput made;
     usage_checked(inputs[0] + ": ", [&] {
-        ReliefInput input = read_relief(inputs, relief_request(inputs, source, request, quilt),
+        ReliefInput input = read_relief(inputs, relief_request(inputs, source, request),
                                         request.threads, piece_of(bar, 0, 2));
-        fit_on_panel(input.relief, request);
-        const Vec2 seen = input.relief.size();
+        const Vec2 shown = fit_on_panel(input.relief, inputs[0], request);
         const double distance = geometry.aperture.distance;
+        made.grid = quilt_for(request.panel, request.grid).tiles;
         ReliefViews drawn = views_of_relief(
             input.relief, {viewing_zone(geometry, distance), distance},
-            directions_of(quilt.tiles, geometry.sheet), size_of_view(request, quilt, seen),
-            input.form, request.threads, piece_of(bar, 1, 2));
+            directions_of(made.grid, geometry.sheet), shown, size_of_view(request), input.form,
+            request.threads, piece_of(bar, 1, 2));
         say(request.command, inputs[0] + ": " + holes_text(drawn.figures));
         made.views = std::move(drawn.views);
-        made.grid = quilt.tiles;
-        made.shape = seen.x / seen.y;
+        made.shape = shape_of(request.panel.film);
     });
     return made;
 }

@@ -44,7 +44,9 @@ struct DepthViewsRequest {
     int threads = 0;
 };
 
-/// The views, whose shape is the picture's, from eyes spread over the panel's zone. Prints what is
+PixelSize size_of_view(const DepthViewsRequest& request);
+
+/// The views, whose shape is the panel's, from eyes spread over the panel's zone. Prints what is
 /// known about the depths, and how much is invented. Throws UsageError, InputError, Interrupted.
 ViewInput views_by_depth(const std::vector<std::string>& inputs, const DepthSource& source,
                          const DepthViewsRequest& request);

@@ -11,6 +11,7 @@
 #include "integral/sheet/panel_render.h"
 #include "integral/sheet/panel_text.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <limits>
@@ -23,16 +24,32 @@ void print(bool as_json, const Json& json, const std::string& text)
     std::cout << (as_json ? json.dump(2) + "\n" : text);
 }
 
-/// The inputs that make one image each: as PanelImages groups them, or each picture that brings its
-/// depth along.
+/// The inputs that make one image each: as PanelImages groups them, or each by itself if one of
+/// them brings its depth along.
 std::vector<Arguments> groups_of(const LcdOptions& o, const PanelImages& images)
 {
-    if (!has_own_depth(o.inputs[0], o.depth))
+    if (std::none_of(o.inputs.begin(), o.inputs.end(),
+                     [&o](const std::string& input) { return has_own_depth(input, o.depth); }))
         return images.groups(o.inputs);
     std::vector<Arguments> groups;
     for (const std::string& input : o.inputs)
         groups.push_back({input});
     return groups;
+}
+
+/// Throws UsageError for options that no group's kind of picture uses.
+void check_depth_options(const LcdOptions& o, const std::vector<Arguments>& groups)
+{
+    if (!o.depth.range && !o.given_views.given_aspect)
+        return;
+    const auto by_depth = std::count_if(groups.begin(), groups.end(), [&o](const Arguments& group) {
+        return shows_by_depth(group, o.depth);
+    });
+    if (by_depth == 0)
+        throw_if_given({{"depth-range", o.depth.range}}, "is for pictures with depth and pairs");
+    if (by_depth == std::ptrdiff_t(groups.size()))
+        throw_if_given({{"aspect", o.given_views.given_aspect}},
+                       "is for quilts and views; pictures with depth have a shape");
 }
 
 /// Views of a picture with depth.
@@ -85,6 +102,8 @@ void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
 {
     PanelImages images(panel, lcd.image);
     const auto groups = lcd.card ? std::vector<Arguments>{{"--card"}} : groups_of(o, images);
+    if (!lcd.card)
+        check_depth_options(o, groups);
     if (o.show && groups.size() > 1)
         throw UsageError("--show shows one image; -o makes several, which --play plays");
     if (o.show)

@@ -134,6 +134,8 @@ void check_options(const ViewsOptions& o, bool animated, bool depth)
         throw UsageError("--depth-range is for views and frames by --depth");
     if (o.panel && !depth)
         throw UsageError("--panel is for pictures with depth; integral lcd shows frames and views");
+    if (o.panel && o.sheet)
+        throw UsageError("--sheet does not work with --panel, whose geometry the views are for");
     if (o.rgbd && (o.to_frame || o.eyes || o.upright || o.files || o.views || animated))
         throw UsageError("--rgbd makes one picture, of one view; only --size and --sheet go with "
                          "it");

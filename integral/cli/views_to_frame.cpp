@@ -8,6 +8,7 @@
 #include "integral/depth/relief_input.h"
 #include "integral/io/image_file.h"
 #include "integral/replay/arrange.h"
+#include "integral/sheet/panel_quilt.h"
 #include "integral/views/frame_of_views.h"
 
 #include <iostream>
@@ -154,6 +155,21 @@ Panel panel_of(const ViewsOptions& o)
     return panel;
 }
 
+EyeViews form_of_views(const DepthViewsRequest& request)
+{
+    FrameMetadata geometry = frame_geometry(request.panel);
+    const double distance = geometry.aperture.distance;
+    EyeViews form;
+    form.grid = quilt_for(request.panel, request.grid).tiles;
+    form.directions = directions_of(form.grid, geometry.sheet);
+    form.size = size_of_view(request);
+    form.shape = shape_of(geometry.film);
+    geometry.quilt = QuiltRecord{form.grid, std::nullopt,
+                                 EyeGrid{viewing_zone(geometry, distance), distance}};
+    form.metadata = geometry;
+    return form;
+}
+
 } // namespace
 
 int make_views_by_depth(const ViewsOptions& o, const ViewExport& requested)
@@ -167,20 +183,10 @@ int make_views_by_depth(const ViewsOptions& o, const ViewExport& requested)
     request.command = "views";
     request.threads = requested.threads;
     check_writable(requested.output);
+    EyeViews form = form_of_views(request);
+    check_views_of_eyes(form, requested);
     ViewInput made = views_by_depth(o.inputs, o.depth, request);
-    const FrameMetadata geometry = frame_geometry(request.panel);
-    EyeViews form;
-    form.grid = made.grid;
-    form.directions = directions_of(made.grid, geometry.sheet);
-    form.size = {made.views[0].width, made.views[0].height};
-    form.shape = made.shape;
-    if (!fitted(made.shape, shape_of(geometry.film), Fit::contain).differs()) {
-        const double distance = geometry.aperture.distance;
-        form.metadata = geometry;
-        form.metadata->encoding = made.views[0].encoding;
-        form.metadata->quilt = QuiltRecord{made.grid, std::nullopt,
-                                           EyeGrid{viewing_zone(geometry, distance), distance}};
-    }
+    form.metadata->encoding = made.views[0].encoding;
     const std::string path = write_views_of_eyes(std::move(made.views), form, requested);
     if (path != requested.output)
         std::cout << path << '\n';

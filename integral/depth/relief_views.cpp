@@ -20,13 +20,11 @@ int lines_one_way(double pixel, const Relief& relief)
 class EyeView {
 public:
     /// `part`: the distance of the relief's own eyes, divided by this eye's.
-    EyeView(const Relief& relief, Vec2 eye, double part, PixelSize size)
+    EyeView(const Relief& relief, Vec2 eye, double part, Vec2 shown, PixelSize size)
         : relief_(relief),
           eye_(eye),
           part_(part),
-          raster_{size.width,
-                  size.height,
-                  {relief.size().x / size.width, relief.size().y / size.height}},
+          raster_{size.width, size.height, {shown.x / size.width, shown.y / size.height}},
           across_(lines_one_way(raster_.pixel_pitch.x, relief)),
           down_(lines_one_way(raster_.pixel_pitch.y, relief))
     {
@@ -39,6 +37,8 @@ public:
         for (int k = 0; k < across_ * down_; ++k) {
             const Vec2 place = film_from_pixel(
                 raster_, {x + (k % across_ + 0.5) / across_, y + (k / across_ + 0.5) / down_});
+            if (is_in_bar(place))
+                continue;
             const Seen seen = relief_.along({place, place + part_ * (eye_ - place)});
             figures.lines += 1;
             figures.holes += seen.known ? 0 : 1;
@@ -50,6 +50,12 @@ public:
     }
 
 private:
+    bool is_in_bar(Vec2 place) const
+    {
+        return std::fabs(place.x) > 0.5 * relief_.size().x ||
+               std::fabs(place.y) > 0.5 * relief_.size().y;
+    }
+
     const Relief& relief_;
     Vec2 eye_;
     double part_;
@@ -60,7 +66,7 @@ private:
 } // namespace
 
 ReliefViews views_of_relief(const Relief& relief, const EyeGrid& eyes, ViewGrid directions,
-                            PixelSize size, const Image& form, int threads,
+                            Vec2 shown, PixelSize size, const Image& form, int threads,
                             const Progress& progress)
 {
     ReliefViews made;
@@ -68,7 +74,7 @@ ReliefViews views_of_relief(const Relief& relief, const EyeGrid& eyes, ViewGrid 
     for (int k = 0; k < directions.count(); ++k) {
         Image& view = made.views.emplace_back(blank_like(form, size.width, size.height));
         const EyeView eye_view(relief, eye_of_view(eyes, directions, k),
-                               relief.distance() / eyes.distance, size);
+                               relief.distance() / eyes.distance, shown, size);
         const auto row = [&](int y) {
             ReliefFigures figures;
             for (int x = 0; x < size.width; ++x)

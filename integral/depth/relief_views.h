@@ -16,11 +16,12 @@ struct ReliefViews {
     ReliefFigures figures;
 };
 
-/// The views of eyes, each of `size` pixels and in the form of `form`. A view shows the rectangle
-/// of the relief's pictures. `directions`: numbers of views across and up (directions_of). Throws
+/// The views of eyes, each of `size` pixels and in the form of `form`. A view shows a rectangle of
+/// the image plane around the middle, `shown` mm; outside of the relief's pictures it is black.
+/// `directions`: numbers of views across and up (directions_of). Throws
 /// Interrupted.
 ReliefViews views_of_relief(const Relief& relief, const EyeGrid& eyes, ViewGrid directions,
-                            PixelSize size, const Image& form, int threads,
+                            Vec2 shown, PixelSize size, const Image& form, int threads,
                             const Progress& progress);
 
 } // namespace integral

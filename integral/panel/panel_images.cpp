@@ -325,7 +325,10 @@ ViewInput PanelImages::read_views_of(const std::vector<std::string>& group) cons
     request.grid = options_.views;
     request.of_eyes = true;
     request.aspect = options_.aspect;
-    return read_given_views(group, request);
+    ViewInput views = read_given_views(group, request);
+    if (options_.right_to_left)
+        turn_right_to_left(views.views, directions_of(views.grid, geometry_.sheet));
+    return views;
 }
 
 PanelPictures PanelImages::pictures_of_views(const std::string& name, ViewInput views) const
@@ -339,8 +342,6 @@ PanelPictures PanelImages::pictures_of_views(const std::string& name, ViewInput 
         check_directions(name, *views.metadata, views.grid);
         pictures.eyes = eyes_before(panel_.film, *views.metadata, *views.metadata->quilt->eyes);
     }
-    if (options_.right_to_left)
-        turn_right_to_left(views.views, directions_of(views.grid, geometry_.sheet));
     pictures.fit = fitted_to_panel(views.shape);
     if (pictures.fit.differs())
         options_.tell(name + ": " + fit_text(views, pictures.fit, "the panel"));

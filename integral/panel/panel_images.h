@@ -23,7 +23,7 @@ struct PanelImageOptions {
     /// panel's pixels per lens, rounded, for a card 8, or 4 x 4 behind round lenses.
     std::optional<ViewGrid> views;
     std::optional<double> aspect; ///< shape of given views, as in ViewsRequest
-    bool right_to_left = false;   ///< given views stand from right to left
+    bool right_to_left = false;   ///< views in files stand from right to left
     Fit fit = Fit::contain;       ///< for frames and views of another shape than the panel's
     Blend blend;
     bool encoded = false;        ///< blend stored values, not linear light
