@@ -9,8 +9,7 @@ void declare(options::options_description& all, FitOptions& fit)
 {
     add(all, "fit", fit.given, "HOW",
         "a picture of another shape: contain, whole with black bars (default); cover, filling, "
-        "with two "
-        "sides cut off; or stretch. Shapes that differ by at most 1% are stretched");
+        "with two sides cut off; or stretch. Shapes that differ by at most 1% are stretched");
 }
 
 Fit FitOptions::value() const

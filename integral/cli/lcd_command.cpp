@@ -228,9 +228,8 @@ int run(const LcdOptions& o)
 const Command lcd_command = {
     "lcd",
     "frames, quilts and views on a light-field panel: its image, test cards; shown or played",
-    "INPUT... --panel NAME|FILE.json (-o IMAGE | --html PAGE) | --panel NAME --card CARD -o IMAGE "
-    "| "
-    "PICTURE --show DISPLAY | PICTURE... --play | --list",
+    "INPUT... --panel NAME|FILE.json (-o IMAGE | --html PAGE) | --panel NAME --card CARD "
+    "-o IMAGE | PICTURE --show DISPLAY | PICTURE... --play | --list",
     R"(Makes the image that a panel of pixels under a lens sheet has to be sent: every red, green and
 blue of it takes the colour of the view that it is seen in. INPUT is a quilt, or the files of all
 views: perspective pictures whose window lies on the panel, from eyes on a line across the

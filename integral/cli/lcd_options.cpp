@@ -62,18 +62,13 @@ void declare(options::options_description& all, LcdOptions& o)
         "depth (default: as in the quilt for the panel), or of a card (default: 8)");
     add(all, "depth", o.depth.depth, "HOW",
         "draw the views by depth, out of one picture or a stereo pair: beside (INPUT's right half "
-        "has "
-        "the depths of its left half as greys, near white; default for names that end in rgbd), "
-        "inside "
-        "(as phones store it in a .jpg; default where it is), measured (default for two views: a "
-        "pair "
-        "in an .mpo or two files), FILE (a grey picture, or .pfm or .exr of mm behind the panel); "
-        "or "
-        "none: show a pair as two views");
+        "has the depths of its left half as greys, near white; default for names that end in "
+        "rgbd), inside (as phones store it in a .jpg; default where it is), measured (default for "
+        "two views: a pair in an .mpo or two files), FILE (a grey picture, or .pfm or .exr of mm "
+        "behind the panel); or none: show a pair as two views");
     add(all, "depth-range", o.depth.range, "WHITE,BLACK",
         "depths, mm behind the panel, of white and black, or of a pair's nearest and farthest "
-        "parts "
-        "(default: twice the panel's depth budget in front and behind)");
+        "parts (default: twice the panel's depth budget in front and behind)");
     declare(all, o.given_views);
     declare(all, o.fit);
     all.add_options()("blend", fills(o.blend, "WAY")->default_value(o.blend),
@@ -85,8 +80,7 @@ void declare(options::options_description& all, LcdOptions& o)
         "several times as fast, edges between views a little darker");
     add(all, "size", o.size, "WxH",
         "pixels of each view that is seen of a frame (default: 1000 on the longer side) or drawn "
-        "by "
-        "depth (default: as in the quilt for the panel)");
+        "by depth (default: as in the quilt for the panel)");
     add(all, "viewing-distance", o.viewing_distance, "MM",
         "how far the viewers are from the panel (default: as the panel says)");
     add(all, "card", o.card, "CARD",

@@ -30,7 +30,8 @@ void declare(options::options_description& all, ViewsOptions& o)
         "parallel views as they look, of the film's shape and without the lenses' slant, in place "
         "of a pixel a lens; not for --to-frame. An animation's are");
     add(all, "size", o.size, "WxH",
-        "pixels of each view of --eyes and --upright (default: 500 on the longer side)");
+        "pixels of each view of --eyes and --upright (default: 500 on the longer side), or by "
+        "--depth");
     add(all, "rgbd", o.rgbd, "DEPTH.exr",
         "what the centre eye sees and, to its right, its depth frame (Integral_Depth_Image), near "
         "white: for programs that make a quilt of the two; .png or .tiff");
@@ -38,27 +39,20 @@ void declare(options::options_description& all, ViewsOptions& o)
         "back: the frame that shows the views of a quilt, or of files");
     add(all, "depth", o.depth.depth, "HOW",
         "draw the views by depth, out of one picture or a stereo pair, for --panel or --sheet: "
-        "beside "
-        "(the picture's right half has the depths of its left half as greys, near white; default "
-        "for "
-        "names that end in rgbd), inside (as phones store it in a .jpg; default where it is), "
-        "measured "
-        "(default for two views: a pair in an .mpo or two files), or FILE (a grey picture, .pfm of "
-        "mm "
-        "behind the sheet, a depth frame). With --to-frame: make the frame by depth, for another "
-        "sheet "
-        "and film, also out of a frame or views of eyes, in which depth is measured as integral "
-        "depth "
-        "does");
+        "beside (the picture's right half has the depths of its left half as greys, near white; "
+        "default for names that end in rgbd), inside (as phones store it in a .jpg; default where "
+        "it is), measured (default for two views: a pair in an .mpo or two files), or FILE (a grey "
+        "picture, .pfm of mm behind the sheet, a depth frame). With --to-frame: make the frame by "
+        "depth, for another sheet and film, also out of a frame or views of eyes, in which depth "
+        "is measured as integral depth does");
     add(all, "depth-range", o.depth.range, "WHITE,BLACK",
         "the depths, mm behind the sheet, of white and black in grey depths, or of a pair's "
-        "nearest "
-        "and farthest parts (default: twice the depth budget in front and behind); between them "
-        "equal "
-        "steps are equal steps of parallax");
+        "nearest and farthest parts (default: twice the depth budget in front and behind); between "
+        "them equal steps are equal steps of parallax");
     add(all, "panel", o.panel, "NAME|FILE.json",
-        "for views by --depth: the light-field panel (integral lcd --list) that shows them; their "
-        "number and size are its quilt's");
+        "for views by --depth: the light-field panel (integral lcd --list) that shows them; they "
+        "have its shape, and the number and size of its quilt's unless --views and --size give "
+        "others");
     add(all, "sheet", o.sheet, "FILE.json",
         "geometry of the frame (integral sheet FRAME --json writes it), if the pictures do not "
         "carry it, or instead of that");
