@@ -2,7 +2,7 @@
 """Regions of a true disparity map in which the HCI 4D Light Field Benchmark's toolkit scores apart.
 
 data_set.py writes them. The benchmark's authors chose their regions scene by scene; these follow from the
-disparities alone. Lengths are in pixels of a view, of which a map may have `scale` x `scale` values each.
+disparities alone. Lengths are in pixels of a view; a map may have `scale` x `scale` values a pixel.
 """
 import struct
 import zlib

@@ -9,7 +9,7 @@
 
 namespace integral {
 
-/// Throws std::invalid_argument, with advice, if the dots are those of a page with other options,
+/// Throws std::invalid_argument, with advice, if the dots belong to a page with other options,
 /// or if less than the code's length can be seen. `camera`: as find_page finds it.
 void check_page_code(const Plane& photo, const PhotoCamera& camera,
                      const std::vector<CodeSquare>& code);

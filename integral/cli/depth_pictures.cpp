@@ -53,8 +53,6 @@ std::optional<std::string> own_place(const std::string& path)
 ReliefRequest relief_request(const std::vector<std::string>& inputs, const DepthSource& source,
                              const DepthViewsRequest& request)
 {
-    if (request.fit == Fit::stretch)
-        throw UsageError("--fit stretch: a scene with depth cannot be stretched; contain or cover");
     ReliefRequest relief;
     relief.input.right_to_left = request.right_to_left;
     relief.size = size_of(request.panel.film);
@@ -92,6 +90,8 @@ void set_depth_source(ReliefRequest& request, const std::vector<std::string>& in
                       const DepthSource& source, const FrameMetadata& seen)
 {
     constexpr double otherwise = 0.02; // of the distance, for sheets without a depth budget
+    if (request.fit == Fit::stretch)
+        throw UsageError("--fit stretch: a scene with depth cannot be stretched; contain or cover");
     const std::string depth = source.depth.value_or(own_place(inputs[0]).value_or("measured"));
     request.own = depth == "beside"   ? OwnDepth::beside
                   : depth == "inside" ? OwnDepth::inside

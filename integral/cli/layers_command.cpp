@@ -111,7 +111,7 @@ std::vector<PictureLayer> layers_at(const std::string& words, const std::string&
     return layers;
 }
 
-/// Makes the layers those of the pictures of one file.
+/// Gives each layer the picture of one file that has its place in the list.
 void number_pictures(std::vector<PictureLayer>& layers)
 {
     for (std::size_t k = 0; k < layers.size(); ++k) {
@@ -149,7 +149,8 @@ std::vector<PictureLayer> layers_by_name(const std::string& path)
     return layers;
 }
 
-/// Names the layers of a painting program's file, all of which must have distances.
+/// Names the layers of a painting program's file. Throws UsageError if their number differs from
+/// that of the distances.
 void name_layers(std::vector<PictureLayer>& layers)
 {
     const std::string& path = layers.at(0).path;

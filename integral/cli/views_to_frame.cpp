@@ -99,8 +99,6 @@ ReliefRequest relief_request(const ViewsOptions& o, const FrameMetadata& geometr
     request.fit = o.fit.value();
     if (o.depth.depth == "none")
         throw UsageError("--depth none: leave --depth out");
-    if (request.fit == Fit::stretch)
-        throw UsageError("--fit stretch: a scene with depth cannot be stretched; contain or cover");
     request.tell = [](const std::string& what) { say("views", what); };
     request.size = size_of(geometry.film);
     request.distance = geometry.aperture.distance;

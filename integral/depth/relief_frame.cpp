@@ -47,22 +47,16 @@ private:
         const auto ray = optics_.map(point, LensMapping::automatic).ray;
         if (!ray)
             return {0, 0, 0, 0};
-        Colour sum{0, 0, 0, 1};
-        const float weight = 1 / float(across_ * along_);
+        MeanSeen mean(across_ * along_, figures);
         for (int k = 0; k < across_ * along_; ++k) {
             const auto line = line_of(
                 *ray, {(k % across_ + 0.5) / across_, (k / across_ + 0.5) / along_});
             const Vec2 pixel = pixel_from_film(film_, line.place);
             if (picture_.is_in_bar({pixel.x / film_.width, pixel.y / film_.height}))
                 continue;
-            const Seen seen = relief_.along(line);
-            figures.lines += 1;
-            figures.holes += seen.known ? 0 : 1;
-            sum.r += weight * seen.light.r;
-            sum.g += weight * seen.light.g;
-            sum.b += weight * seen.light.b;
+            mean.add(relief_.along(line));
         }
-        return sum;
+        return mean.light();
     }
 
     /// The line along a film point's beam through the place `unit` of its lens's cell (lenticular:
@@ -163,20 +157,15 @@ RefocusedPicture refocused(const Relief& relief, const Refocus& lens, const Imag
     const auto row = [&](int y) {
         ReliefFigures figures;
         for (int x = 0; x < lens.width; ++x) {
-            Colour sum{0, 0, 0, 1};
+            MeanSeen mean(samples, figures);
             for (int k = 0; k < samples; ++k) {
                 const Vec2 eye = disc_point(0.5 * lens.pupil, x, y, k, samples);
                 const double part = (k + 0.5) / samples;
                 const Vec2 inside{x + part, y + std::fmod(0.5 + k * 0.61803398874989, 1.0)};
                 const Vec2 place = film_from_pixel(raster, inside) + sideways * eye;
-                const Seen seen = relief.along({place, eye});
-                figures.lines += 1;
-                figures.holes += seen.known ? 0 : 1;
-                sum.r += seen.light.r / samples;
-                sum.g += seen.light.g / samples;
-                sum.b += seen.light.b / samples;
+                mean.add(relief.along({place, eye}));
             }
-            store_linear(picture.image, x, y, sum);
+            store_linear(picture.image, x, y, mean.light());
         }
         tally.add(figures);
     };

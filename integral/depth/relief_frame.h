@@ -17,6 +17,28 @@ struct ReliefFigures {
     double holes = 0; ///< lines whose end no view shows: filled in from farther off
 };
 
+/// The mean light along lines of sight, which are counted.
+class MeanSeen {
+public:
+    /// `lines`: the number of lines that the light is divided by.
+    MeanSeen(int lines, ReliefFigures& figures) : weight_(1 / float(lines)), figures_(figures) {}
+
+    void add(const Seen& seen)
+    {
+        figures_.lines += 1;
+        figures_.holes += seen.known ? 0 : 1;
+        light_.r += weight_ * seen.light.r;
+        light_.g += weight_ * seen.light.g;
+        light_.b += weight_ * seen.light.b;
+    }
+    const Colour& light() const { return light_; }
+
+private:
+    float weight_;
+    ReliefFigures& figures_;
+    Colour light_{0, 0, 0, 1};
+};
+
 /// Adds up rows' figures, from several threads.
 class ReliefTally {
 public:

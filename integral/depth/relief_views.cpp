@@ -32,21 +32,15 @@ public:
 
     Colour pixel(int x, int y, ReliefFigures& figures) const
     {
-        Colour sum{0, 0, 0, 1};
-        const float weight = 1 / float(across_ * down_);
+        MeanSeen mean(across_ * down_, figures);
         for (int k = 0; k < across_ * down_; ++k) {
             const Vec2 place = film_from_pixel(
                 raster_, {x + (k % across_ + 0.5) / across_, y + (k / across_ + 0.5) / down_});
             if (is_in_bar(place))
                 continue;
-            const Seen seen = relief_.along({place, place + part_ * (eye_ - place)});
-            figures.lines += 1;
-            figures.holes += seen.known ? 0 : 1;
-            sum.r += weight * seen.light.r;
-            sum.g += weight * seen.light.g;
-            sum.b += weight * seen.light.b;
+            mean.add(relief_.along({place, place + part_ * (eye_ - place)}));
         }
-        return sum;
+        return mean.light();
     }
 
 private:
