@@ -112,6 +112,22 @@ std::vector<ReliefMap> maps_of_depth_frame(const DepthInput& input, const std::s
     return maps;
 }
 
+/// Makes a map larger, centred, up to a size in pixels: each new pixel repeats the nearest old one.
+void extend(ReliefMap& map, int width, int height)
+{
+    const int left = (width - map.width) / 2, above = (height - map.height) / 2;
+    std::vector<float> parallax;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            parallax.push_back(
+                map.parallax[std::size_t(std::clamp(y - above, 0, map.height - 1)) * map.width +
+                             std::size_t(std::clamp(x - left, 0, map.width - 1))]);
+    map.places.first = map.places.at(-left, -above);
+    map.parallax = std::move(parallax);
+    map.width = width;
+    map.height = height;
+}
+
 /// Reads the depth_file as an upright parallax map that is fitted on the whole picture. The map's
 /// eye is picture 0's if the caller sets no other.
 ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded, Vec2 size,
@@ -145,6 +161,11 @@ ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded
         request.tell(path + ": " + fit_text(on_picture, "the picture", "no depth"));
     map.places = places_over({on_picture.size.x * size.x, on_picture.size.y * size.y}, map.width,
                              map.height);
+    // The depth at a map's edge extends over the picture beyond it.
+    const auto beyond = [](int pixels, double share) {
+        return pixels + 2 * int(std::ceil(0.5 * pixels * std::max(0.0, 1 / share - 1)));
+    };
+    extend(map, beyond(map.width, on_picture.size.x), beyond(map.height, on_picture.size.y));
     return map;
 }
 
