@@ -22,8 +22,7 @@ namespace {
 Vec2 fit_on_panel(Relief& relief, const std::string& name, const DepthViewsRequest& request)
 {
     const Vec2 panel = size_of(request.panel.film), size = relief.size();
-    const double across = panel.x / size.x, up = panel.y / size.y;
-    relief.scale(request.fit == Fit::cover ? std::max(across, up) : std::min(across, up));
+    relief.scale_to(panel, request.fit);
     const FittedPicture picture = fitted(size.x / size.y, panel.x / panel.y, request.fit);
     if (!picture.differs())
         return relief.size();
@@ -100,11 +99,9 @@ void set_depth_source(ReliefRequest& request, const std::vector<std::string>& in
         throw UsageError("--depth " + depth + " is for one picture");
     if (request.own == OwnDepth::none && depth != "measured")
         request.depth_file = depth;
-    if (source.range && depth == "measured" && !is_pair_of_files(inputs))
-        throw UsageError("--depth-range is for grey depths and stereo pairs");
     if (source.range) {
         const auto mm = parse_numbers("depth-range", *source.range, "WHITE,BLACK", 2, 2);
-        request.grey = GreyDepths{mm[0], mm[1]};
+        request.ends = DepthSpan{mm[0], mm[1]};
     }
     const auto budget = seen_budget(seen);
     request.limit = budget ? soft_budgets * *budget : otherwise * request.distance;

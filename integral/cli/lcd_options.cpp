@@ -67,8 +67,10 @@ void declare(options::options_description& all, LcdOptions& o)
         "two views: a pair in an .mpo or two files), FILE (a grey picture, or .pfm or .exr of mm "
         "behind the panel); or none: show a pair as two views");
     add(all, "depth-range", o.depth.range, "WHITE,BLACK",
-        "depths, mm behind the panel, of white and black, or of a pair's nearest and farthest "
-        "parts (default: twice the panel's depth budget in front and behind)");
+        "depths, mm behind the panel, of white and black in grey depths, or else of the nearest "
+        "and "
+        "the farthest twentieth (default of greys and pairs: twice the panel's depth budget in "
+        "front and behind)");
     declare(all, o.given_views);
     declare(all, o.fit);
     all.add_options()("blend", fills(o.blend, "WAY")->default_value(o.blend),

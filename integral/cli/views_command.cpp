@@ -46,9 +46,11 @@ void declare(options::options_description& all, ViewsOptions& o)
         "depth, for another sheet and film, also out of a frame or views of eyes, in which depth "
         "is measured as integral depth does");
     add(all, "depth-range", o.depth.range, "WHITE,BLACK",
-        "the depths, mm behind the sheet, of white and black in grey depths, or of a pair's "
-        "nearest and farthest parts (default: twice the depth budget in front and behind); between "
-        "them equal steps are equal steps of parallax");
+        "the depths, mm behind the sheet, of white and black in grey depths, or else of the "
+        "nearest "
+        "and the farthest twentieth, also of depths in mm and measured ones (default of greys and "
+        "pairs: twice the depth budget in front and behind); between them equal steps are equal "
+        "steps of parallax");
     add(all, "panel", o.panel, "NAME|FILE.json",
         "for views by --depth: the light-field panel (integral lcd --list) that shows them; they "
         "have its shape, and the number and size of its quilt's unless --views and --size give "

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <stdexcept>
 
 namespace integral {
@@ -92,6 +93,12 @@ Relief::Relief(std::vector<ReliefPicture> pictures, std::vector<ReliefMap> maps,
                Vec2 size)
     : pictures_(std::move(pictures)), maps_(std::move(maps)), distance_(distance), size_(size)
 {
+    take_stock();
+}
+
+/// Sets what follows from the pictures and maps.
+void Relief::take_stock()
+{
     least_ = HUGE_VALF;
     greatest_ = -HUGE_VALF;
     for (const ReliefMap& map : maps_)
@@ -118,6 +125,74 @@ Relief::Relief(std::vector<ReliefPicture> pictures, std::vector<ReliefMap> maps,
     const double step = std::max(last_eye_.x > first_eye_.x ? spacing_.x : 0,
                                  last_eye_.y > first_eye_.y ? spacing_.y : 0);
     sparse_ = (greatest_ - least_) * step > far_apart * pixel_;
+}
+
+void Relief::scale_to(Vec2 rectangle, Fit how)
+{
+    const double across = rectangle.x / size_.x, up = rectangle.y / size_.y;
+    const bool has_bars = how == Fit::contain &&
+                          fitted(size_.x / size_.y, rectangle.x / rectangle.y, how).differs();
+    scale(has_bars ? std::min(across, up) : std::max(across, up));
+}
+
+void Relief::move(ParallaxSpan to)
+{
+    const double span = to.far - to.near;
+    // A point of parallax p, seen at X + p e from the eye e, must be seen at X + (near + span p) e'
+    // from the new eye e', whatever p is.
+    const auto moved = [&](auto& seen) {
+        if (length(seen.eye) == 0)
+            return;
+        if (!(span > 0))
+            throw std::invalid_argument("--depth-range: the first depth must be less than the "
+                                        "second");
+        seen.eye = (1 / span) * seen.eye;
+        seen.places.first = seen.places.first + to.near * seen.eye;
+    };
+    for (ReliefPicture& picture : pictures_)
+        moved(picture);
+    for (ReliefMap& map : maps_) {
+        moved(map);
+        for (float& p : map.parallax)
+            p = float(to.near + span * p);
+    }
+    take_stock();
+}
+
+ParallaxSpan Relief::span() const
+{
+    constexpr int share = 20;
+    std::vector<float> all;
+    for (const ReliefMap& map : maps_)
+        std::copy_if(map.parallax.begin(), map.parallax.end(), std::back_inserter(all),
+                     [](float p) { return std::isfinite(p); });
+    const auto twentieth = all.size() / share;
+    const auto ranked = [&](std::size_t rank) {
+        const auto at = all.begin() + std::ptrdiff_t(rank);
+        std::nth_element(all.begin(), at, all.end());
+        return double(*at);
+    };
+    return {ranked(twentieth), ranked(all.size() - 1 - twentieth)};
+}
+
+void Relief::fit(ParallaxSpan to)
+{
+    const ParallaxSpan now = span();
+    const double extent = now.far - now.near,
+                 stretch = extent > 0 ? (to.far - to.near) / extent : 1;
+    const double near = to.near - stretch * now.near;
+    move({near, near + stretch});
+}
+
+void Relief::crop_to_common()
+{
+    for (const ReliefPicture& picture : pictures_) {
+        const Vec2 first = picture.places.at(-0.5, -0.5),
+                   last = picture.places.at(picture.width - 0.5, picture.height - 0.5);
+        size_ = {std::min(size_.x, 2 * std::min(-first.x, last.x)),
+                 std::min(size_.y, 2 * std::min(first.y, -last.y))};
+    }
+    size_ = {std::max(pixel_, size_.x), std::max(pixel_, size_.y)};
 }
 
 void Relief::scale(double factor)
@@ -247,7 +322,7 @@ Seen Relief::along(const ReliefLine& line) const
         tried |= std::uint32_t(1) << next;
         const Meeting met = meet(maps_[next], line);
         if (met.known)
-            return {light_at(maps_[next], met.parallax, line), true};
+            return {light_at(maps_[next], met.parallax, line), met.parallax, true};
         if (!nearest) {
             nearest = &maps_[next];
             of_nearest = met;
@@ -255,8 +330,9 @@ Seen Relief::along(const ReliefLine& line) const
     }
     // No map shows the line's end, but a picture whose eye is near the line does.
     if (!sparse_ && is_between_eyes(line.eye))
-        return {light_at(*nearest, of_nearest.parallax, line), pictures_.size() > 1};
-    return {light_beside(*nearest, of_nearest, line), false};
+        return {light_at(*nearest, of_nearest.parallax, line), of_nearest.parallax,
+                pictures_.size() > 1};
+    return {light_beside(*nearest, of_nearest, line), of_nearest.parallax, false};
 }
 
 Vec2 eye_of(const ViewSet& views, const DepthView& view)

@@ -10,6 +10,7 @@
 #define INTEGRAL_DEPTH_RELIEF_H
 
 #include "integral/depth/view_set.h"
+#include "integral/frame/picture_fit.h"
 
 #include <vector>
 
@@ -38,11 +39,17 @@ struct ReliefLine {
     Vec2 place, eye;
 };
 
-/// Linear light along a line of sight, and whether any view shows it. Light that no view shows is
-/// filled in from the farther surface next to it.
+/// Linear light along a line of sight, the parallax of the surface where it ends, and whether any
+/// view shows it. Light that no view shows is filled in from the farther surface next to it.
 struct Seen {
     Colour light;
+    double parallax = 0;
     bool known = false;
+};
+
+/// Parallax of near and far surfaces.
+struct ParallaxSpan {
+    double near = 0, far = 0;
 };
 
 class Relief {
@@ -57,6 +64,26 @@ public:
 
     /// Makes the scene `factor` times as large.
     void scale(double factor);
+    /// Makes the scene so large that its pictures fit into a rectangle, mm; or fill it, with
+    /// Fit::cover, or if the shapes hardly differ (FittedPicture).
+    void scale_to(Vec2 rectangle, Fit how);
+
+    /// The parallax of the nearest and farthest twentieth of all maps: nine tenths lie between.
+    ParallaxSpan span() const;
+
+    /// Moves all surfaces along the lines of sight from the middle of the eyes' plane: a parallax
+    /// of 0 becomes `to.near`, 1 becomes `to.far`, and the others follow linearly, as in the relief
+    /// of optics.md 8. The pictures' eyes move nearer to the middle as surfaces move farther apart.
+    /// Throws std::invalid_argument if a picture has another eye and to.near is not less than
+    /// to.far.
+    void move(ParallaxSpan to);
+
+    /// The same, so that span() becomes `to`.
+    void fit(ParallaxSpan to);
+
+    /// Reduces size() to the rectangle in the image plane, around the middle, that all pictures
+    /// show.
+    void crop_to_common();
 
     /// The light along a line. The line ends where it first meets the map of the nearest eye or, if
     /// it passes behind an edge there, another eye's map. The light comes from the pictures whose
@@ -71,6 +98,7 @@ private:
     Colour light_at(const ReliefMap& map, double parallax, const ReliefLine& line) const;
     Colour light_beside(const ReliefMap& map, const Meeting& hidden, const ReliefLine& line) const;
     bool is_between_eyes(Vec2 eye) const;
+    void take_stock();
 
     std::vector<ReliefPicture> pictures_;
     std::vector<ReliefMap> maps_;
@@ -81,7 +109,7 @@ private:
     Vec2 spacing_{1, 1};             ///< greatest spacing of neighbouring eyes, > 0
     bool sparse_ = false; ///< surfaces move so far from eye to eye that one may hide what the next
                           ///< one sees
-    float least_ = 0, greatest_ = 0; ///< parallax in all maps
+    float least_ = 0, greatest_ = 0; ///< parallax in all maps; a little more, so that it is met
 };
 
 /// Makes a relief from views before soften(), stored in `encoding`, and from parallax maps of some

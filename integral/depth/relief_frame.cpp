@@ -114,9 +114,7 @@ ReliefFigures write_relief_frame(const std::string& path, Relief relief,
     const Vec2 film = size_of(geometry.film);
     const FittedPicture picture = fitted(relief.size().x / relief.size().y, shape_of(geometry.film),
                                          fit);
-    relief.scale(picture.differs() && fit == Fit::contain
-                     ? std::min(film.x / relief.size().x, film.y / relief.size().y)
-                     : std::max(film.x / relief.size().x, film.y / relief.size().y));
+    relief.scale_to(film, fit);
     const FilmLight light(relief, geometry, picture);
     FrameMetadata metadata = geometry;
     metadata.encoding = form.encoding;

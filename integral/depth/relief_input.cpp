@@ -128,13 +128,20 @@ void extend(ReliefMap& map, int width, int height)
     map.height = height;
 }
 
+/// A map, and whether it has greys, whose parallax is from 0 (white) to 1 (black).
+struct MapOfFile {
+    ReliefMap map;
+    bool has_greys = false;
+};
+
 /// Reads the depth_file as an upright parallax map that is fitted on the whole picture. The map's
 /// eye is picture 0's if the caller sets no other.
-ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded, Vec2 size,
+MapOfFile map_of_file(const ReliefRequest& request, const DecodedDepths* decoded, Vec2 size,
                       double distance)
 {
     const std::string& path = request.depth_file;
-    ReliefMap map;
+    MapOfFile read;
+    ReliefMap& map = read.map;
     std::vector<float> mm;
     if (decoded) {
         map.width = decoded->width;
@@ -147,11 +154,11 @@ ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded
         map.height = file.height;
         mm = std::move(file.values);
     } else {
-        const GreyDepths depths = grey_depths(path, "white", "black", request);
         const Image picture = read_frame(path).image;
         map.width = picture.width;
         map.height = picture.height;
-        map.parallax = parallax_of_greys(picture, depths, distance);
+        map.parallax = parallax_of_greys(picture);
+        read.has_greys = true;
     }
     for (const float z : mm)
         map.parallax.push_back(parallax_of(z, distance));
@@ -166,7 +173,7 @@ ReliefMap map_of_file(const ReliefRequest& request, const DecodedDepths* decoded
         return pixels + 2 * int(std::ceil(0.5 * pixels * std::max(0.0, 1 / share - 1)));
     };
     extend(map, beyond(map.width, on_picture.size.x), beyond(map.height, on_picture.size.y));
-    return map;
+    return read;
 }
 
 /// The depths in an OpenEXR file; nothing for another ending.
@@ -216,10 +223,11 @@ ReliefInput read_photograph(const std::string& path, const ReliefRequest& reques
         throw std::invalid_argument(request.depth_file +
                                     " is a frame's depth frame; a photograph needs its own map");
     std::vector<ReliefPicture> pictures{relief_picture(image, raster, threads)};
-    std::vector<ReliefMap> maps{
-        map_of_file(request, decoded ? &*decoded : nullptr, raster.size, request.distance)};
+    MapOfFile read = map_of_file(request, decoded ? &*decoded : nullptr, raster.size,
+                                 request.distance);
+    std::vector<ReliefMap> maps{std::move(read.map)};
     return {Relief(std::move(pictures), std::move(maps), request.distance, raster.size),
-            form_of(image)};
+            form_of(image), read.has_greys ? DepthUnit::none : DepthUnit::mm};
 }
 
 void need_scale(const ViewSet& views)
@@ -256,6 +264,29 @@ Relief measured_relief(const DepthInput& input, DepthQuality quality, int thread
 ReliefInput read_relief(const std::vector<std::string>& inputs, const ReliefRequest& request,
                         int threads, const Progress& progress)
 {
+    ReliefInput input = read_unplaced_relief(inputs, request, threads, progress);
+    place(input, inputs[0], request);
+    return input;
+}
+
+void place(ReliefInput& input, const std::string& name, const ReliefRequest& request)
+{
+    Relief& relief = input.relief;
+    if (input.unit == DepthUnit::mm && request.ends) {
+        relief.scale_to(request.size, request.fit);
+        relief.fit(requested_span(name, request, relief.distance()));
+    }
+    if (input.unit == DepthUnit::none || input.unit == DepthUnit::pair)
+        relief.move(requested_span(request.depth_file.empty() ? name : request.depth_file, request,
+                                   relief.distance()));
+    if (input.unit == DepthUnit::pair)
+        relief.crop_to_common();
+}
+
+ReliefInput read_unplaced_relief(const std::vector<std::string>& inputs,
+                                 const ReliefRequest& request, int threads,
+                                 const Progress& progress)
+{
     const bool own = request.own != OwnDepth::none && inputs.size() == 1;
     const bool photograph = !own && is_photograph(inputs, request);
     if ((own || photograph) && request.input.right_to_left)
@@ -275,15 +306,24 @@ ReliefInput read_relief(const std::vector<std::string>& inputs, const ReliefRequ
     const Vec2 size{input.width, input.height};
     const auto decoded = decoded_depths(request.depth_file);
     std::vector<ReliefMap> maps;
+    DepthUnit unit = DepthUnit::mm;
     if (decoded && !decoded->document.empty()) {
         maps = maps_of_depth_frame(input, request.depth_file);
     } else {
-        maps.push_back(
-            map_of_file(request, decoded ? &*decoded : nullptr, size, input.views.scale->distance));
-        maps[0].eye = eye_of(input.views, input.views.middle);
+        MapOfFile read = map_of_file(request, decoded ? &*decoded : nullptr, size,
+                                     input.views.scale->distance);
+        read.map.eye = eye_of(input.views, input.views.middle);
+        if (read.has_greys) {
+            const ParallaxSpan range = requested_span(request.depth_file, request,
+                                                      input.views.scale->distance);
+            for (float& p : read.map.parallax)
+                p = float(range.near + (range.far - range.near) * p);
+            unit = DepthUnit::ends;
+        }
+        maps.push_back(std::move(read.map));
     }
-    return {relief_of(input.views, input.form.encoding, std::move(maps), size, threads),
-            input.form};
+    return {relief_of(input.views, input.form.encoding, std::move(maps), size, threads), input.form,
+            unit};
 }
 
 } // namespace integral

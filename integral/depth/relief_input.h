@@ -14,9 +14,9 @@
 
 namespace integral {
 
-/// The depths of a grey picture's white and black, mm behind the sheet.
-struct GreyDepths {
-    double white = 0, black = 0;
+/// A nearest and a farthest depth, mm behind the sheet; of greys: of white and black.
+struct DepthSpan {
+    double near = 0, far = 0;
 };
 
 /// Depth that a picture brings along.
@@ -30,10 +30,10 @@ struct ReliefRequest {
     DepthRequest input;
     std::string depth_file;                    ///< "": depth is measured
     OwnDepth own = OwnDepth::none;             ///< of the one input; then depth_file is not used
-    std::optional<GreyDepths> grey; ///< of grey depths, and of a pair's nearest and farthest
-                                    ///< twentieth
-    double limit = 0; ///< mm behind the sheet, where `grey` is missing: of black; white is as far
-                      ///< in front, in parallax; 0: grey pictures need `grey`
+    std::optional<DepthSpan> ends; ///< of greys: white and black; else of the nearest and farthest
+                                   ///< twentieth of the depths
+    double limit = 0; ///< mm behind the sheet, of the farthest depth of greys and pairs without
+                      ///< `ends`; the nearest is as far in front, in parallax; 0: greys need `ends`
     int width = 0; ///< pixels that a photograph needs across: one that has at least twice as many
                    ///< is reduced; 0: all of them
     DepthQuality quality = DepthQuality::good; ///< of measuring
@@ -46,10 +46,19 @@ struct ReliefRequest {
     std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
+/// What a relief's depths are known in.
+enum class DepthUnit {
+    mm,
+    ends, ///< mm, of the greys of a view, from request.ends
+    none, ///< greys: a parallax from 0 (white) to 1 (black)
+    pair  ///< measured in a pair: nine tenths have a parallax from 0 to 1
+};
+
 /// A relief, and the form of the pictures that it was made from.
 struct ReliefInput {
     Relief relief;
     Image form;
+    DepthUnit unit = DepthUnit::mm;
 };
 
 /// Reads the inputs as read_depth_input does; but one picture that is neither frame nor quilt is,
@@ -63,6 +72,15 @@ struct ReliefInput {
 /// eyes: then their scale in mm is unknown.
 ReliefInput read_relief(const std::vector<std::string>& inputs, const ReliefRequest& request,
                         int threads, const Progress& progress);
+
+/// The same, before place().
+ReliefInput read_unplaced_relief(const std::vector<std::string>& inputs,
+                                 const ReliefRequest& request, int threads,
+                                 const Progress& progress);
+
+/// Moves the relief's depths to request.ends or, if they are not in mm, within request.limit, which
+/// is reported to the user. Throws std::invalid_argument.
+void place(ReliefInput& input, const std::string& name, const ReliefRequest& request);
 
 /// Whether inputs are the two views of a stereo pair, in one file (an MPO, a stereo OpenEXR) or
 /// two, without a record of their eyes. Throws InputError.

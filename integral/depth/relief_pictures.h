@@ -25,25 +25,25 @@ PictureRaster raster_of(const Image& picture, const ReliefRequest& request);
 /// The light of a picture from an eye in the middle, reduced as the request says.
 ReliefPicture relief_picture(const Image& picture, const PictureRaster& raster, int threads);
 
-/// Parallax of a grey picture's pixels. Throws std::invalid_argument if the picture has colours, or
-/// white or black is behind the eye.
-std::vector<float> parallax_of_greys(const Image& picture, const GreyDepths& grey, double distance);
+/// A grey picture's pixels as parallax from 0 (white) to 1 (black), which Relief::move() places.
+/// Throws std::invalid_argument if the picture has colours.
+std::vector<float> parallax_of_greys(const Image& picture);
 
 /// z / (distance + z): 1 at infinity, NaN for a point that is not in front of the eye.
 float parallax_of(double mm, double distance);
 
-/// The depths for white and black that the request gives, or that its limit implies; the latter are
-/// reported to the user. `white`, `black`: their names in that message.
-GreyDepths grey_depths(const std::string& path, const std::string& white, const std::string& black,
-                       const ReliefRequest& request);
+/// The parallax of the nearest and farthest depth (greys: of white and black) that the request
+/// gives, or that its limit implies, which is reported to the user for the depths in `path`.
+/// `distance`: from the eye to the image plane, mm. Throws std::invalid_argument if one of them is
+/// behind the eye, or if neither is given.
+ParallaxSpan requested_span(const std::string& path, const ReliefRequest& request, double distance);
 
-/// Reads a picture with the depth that request.own describes. Throws InputError, and
+/// Reads a picture with the depth that request.own describes, as greys. Throws InputError, and
 /// std::invalid_argument if there is no such depth.
 ReliefInput read_own_depth(const std::string& path, const ReliefRequest& request, int threads);
 
-/// Makes a relief of a pair of views, and reports its depth to the user. Nine tenths of it lie
-/// within request.grey or, without it, within request.limit. Throws std::invalid_argument,
-/// Interrupted.
+/// Makes a relief of a pair of views: nine tenths of it have a parallax from 0 to 1. Reports a poor
+/// match to the user. Throws std::invalid_argument, Interrupted.
 ReliefInput relief_of_pair(const std::string& name, Image left, Image right,
                            const ReliefRequest& request, int threads, const Progress& progress);
 
