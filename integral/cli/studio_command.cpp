@@ -3,6 +3,7 @@
 #include "integral/batch/renderer_options.h"
 #include "integral/cli/geometry_options.h"
 #include "integral/io/image_file.h"
+#include "integral/studio/scene_input.h"
 #include "integral/studio/studio.h"
 
 #include <cstdio>
@@ -80,9 +81,10 @@ int run(const StudioOptions& o)
         throw UsageError(scene + ": not a scene; give a .pov or .ini file");
     const std::vector<std::string> words(o.inputs.begin() + 1, o.inputs.end());
     const PlacementSettings first = settings_of(o);
-    SceneRenders renders(scene, words, aspect_of(first));
+    SceneInput input(scene, words);
+    StudioRenders renders(input, aspect_of(first));
     PanelWindow window;
-    Studio studio(scene, first, renders, window);
+    Studio studio(input, first, renders, window);
     Server server(o.port ? in_range("port", *o.port, 1, 65535) : 0,
                   [&](const ServerRequest& request) { return studio.answer(request); });
     std::printf("the studio is at %s (Ctrl+C ends it)\n", server.address().c_str());

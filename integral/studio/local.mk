@@ -6,6 +6,7 @@ build_lib_libintegral_a_SOURCES += \
   integral/studio/approval.h \
   integral/studio/approval_page.cpp \
   integral/studio/approval_page.h \
+  integral/studio/background_work.h \
   integral/studio/file_stamp.h \
   integral/studio/panel_window.cpp \
   integral/studio/panel_window.h \
@@ -13,12 +14,15 @@ build_lib_libintegral_a_SOURCES += \
   integral/studio/placement_settings.h \
   integral/studio/probe.cpp \
   integral/studio/probe.h \
-  integral/studio/scene_renders.cpp \
-  integral/studio/scene_renders.h \
+  integral/studio/scene_input.cpp \
+  integral/studio/scene_input.h \
   integral/studio/server.h \
   integral/studio/studio.cpp \
   integral/studio/studio.h \
-  integral/studio/studio_page.cpp
+  integral/studio/studio_input.h \
+  integral/studio/studio_page.cpp \
+  integral/studio/studio_renders.cpp \
+  integral/studio/studio_renders.h
 
 if HAVE_HTTPLIB
 build_lib_libintegral_a_SOURCES += integral/studio/server.cpp

@@ -187,7 +187,6 @@ Json settings_figures(const PlacementSettings& settings, const DepthFrame* probe
     const LensRowGeometry row = counted(frame);
     const auto budget = seen_budget(frame);
     Json figures = {{"geometry", parse_json(to_json(frame))},
-                    {"words", words_of_settings(settings, frame)},
                     {"budget_mm", budget ? Json(*budget) : Json()},
                     {"pixels_per_lens", row.period / row.pixel},
                     {"lenses", row.pixels * row.pixel / row.period},

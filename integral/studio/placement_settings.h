@@ -49,7 +49,7 @@ FrameMetadata frame_of_settings(const PlacementSettings& settings, const DepthFr
 /// The words of Integral_Camera= for that frame.
 std::string words_of_settings(const PlacementSettings& settings, const FrameMetadata& frame);
 
-/// Figures for the page: the frame's document (geometry), the placement, words, budget_mm, the
+/// Figures for the page: the frame's document (geometry), the placement, budget_mm, the
 /// distances at which surfaces are seen one and two budgets from the sheet (scene units from the
 /// eye; null: infinitely far), the shares of the picture that are sharp, soft and beyond, the fits
 /// to one and to two budgets, pixels and lenses.

@@ -3,7 +3,6 @@
 
 #include "integral/base/file_bytes.h"
 #include "integral/base/json.h"
-#include "integral/batch/renderer_options.h"
 #include "integral/io/image_file.h"
 #include "integral/io/markup.h"
 #include "integral/print/frame_print.h"
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 
 namespace integral {
 namespace {
@@ -58,26 +56,6 @@ ServerAnswer bytes_answer(std::string bytes)
 
 ServerAnswer json_answer(std::string text) { return {200, std::move(text), "application/json"}; }
 
-/// The name of a scene without folder and extension.
-std::string stem_of(const std::string& scene)
-{
-    return std::filesystem::path(without_section(scene)).stem().string();
-}
-
-/// The name of a file about the scene's print or panel, for the working folder.
-std::string print_name(const std::string& scene, const PlacementSettings& settings,
-                       const char* extension)
-{
-    return stem_of(scene) + (settings.panel ? "-on-panel" : "-on-sheet") + extension;
-}
-
-/// A file's name on a shell's line for povray-integral, which reads words with blanks in quotation
-/// marks of its own.
-std::string for_renderer(const std::string& name)
-{
-    return for_shell(name) == name ? name : for_shell(quoted(name));
-}
-
 /// Whether a frame has a panel's pixels and lenses.
 bool is_of_panel(const FrameMetadata& made, const Panel& panel)
 {
@@ -90,10 +68,16 @@ bool is_of_panel(const FrameMetadata& made, const Panel& panel)
 
 } // namespace
 
-Studio::Studio(const std::string& scene, const PlacementSettings& first, SceneRenders& renders,
+Studio::Studio(const StudioInput& input, const PlacementSettings& first, StudioRenders& renders,
                PanelWindow& window)
-    : scene_(scene), first_(first), renders_(renders), window_(window)
+    : input_(input), first_(first), renders_(renders), window_(window)
 {
+}
+
+/// The name of the print's or the panel's picture, for the working folder.
+std::string Studio::print_name(const PlacementSettings& settings) const
+{
+    return input_.name() + (settings.panel ? "-on-panel.png" : "-on-sheet.png");
 }
 
 std::optional<ServerAnswer> Studio::answer(const ServerRequest& request)
@@ -105,10 +89,10 @@ std::optional<ServerAnswer> Studio::answer(const ServerRequest& request)
             return ServerAnswer{400, error.what(), "text/plain; charset=utf-8"};
         }
     if (request.path == "/")
-        return ServerAnswer{200, studio_page(stem_of(scene_), first_, request)};
+        return ServerAnswer{200, studio_page(input_.name(), first_, request)};
     if (request.path == "/events") {
         ServerAnswer events;
-        const auto listener = std::make_shared<SceneRenders::Listener>(renders_);
+        const auto listener = std::make_shared<StudioRenders::Listener>(renders_);
         events.next_event = [listener] { return listener->next_state(); };
         return events;
     }
@@ -133,7 +117,7 @@ std::optional<ServerAnswer> Studio::post(const ServerRequest& request)
         return json_answer(show(settings_from_json(request.body)));
     if (request.path == "/print") {
         const PlacementSettings settings = possible_settings(request.body);
-        renders_.request_print(settings, print_name(scene_, settings, ".png"));
+        renders_.request_print(settings, print_name(settings));
     } else if (request.path == "/stop-print")
         renders_.stop_print();
     else if (const auto to_stop = number_after("/stop/", request.path))
@@ -162,31 +146,21 @@ std::string Studio::figures(const std::string& text) const
     if (!(settings.print.x > 0)) // not given
         settings.print = print_of_aspect(probe ? probe->request.aspect : 4.0 / 3);
     Json figures = settings_figures(settings, depths);
+    figures["words"] = input_.words(settings, frame_of_settings(settings, depths));
     figures["settings"] = json_of(settings);
     return figures.dump();
 }
 
-/// Writes the INI file that renders the print.
+/// Writes the file that the print is made with.
 std::string Studio::save(const PlacementSettings& settings) const
 {
     const std::shared_ptr<const Probe> probe = renders_.probe();
     if (!probe)
         throw std::invalid_argument("the scene has no probe yet; save again when its picture is "
                                     "shown");
-    const FrameMetadata frame = frame_of_settings(settings, &probe->depths);
-    const std::string name = print_name(scene_, settings, ".ini"),
-                      picture = print_name(scene_, settings, ".png"),
-                      command = "povray-integral " + for_renderer(name) + " +A0.3";
-    std::string text = "; " + stem_of(scene_) + ", placed on a sheet by integral studio.\n; " +
-                       command + "\n";
-    if (settings.panel)
-        text += "; integral lcd " + for_shell(picture) + " --panel " +
-                for_shell(settings.panel->name) + " --show auto\n";
-    for (const std::string& word : renders_.words_for(settings, frame))
-        text += word + "\n";
-    text += "+O" + quoted(picture) + "\n";
-    write_file(name, text);
-    return Json{{"file", name}, {"command", command}}.dump();
+    const SavedPlacement saved = input_.save(settings, frame_of_settings(settings, &probe->depths),
+                                             print_name(settings));
+    return Json{{"file", saved.file}, {"command", saved.command}}.dump();
 }
 
 /// Shows the print on the panel. Panels are known, or the one that the user named at the start: no

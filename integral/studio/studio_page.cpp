@@ -64,10 +64,10 @@ Json choices_with(const PlacementSettings& first)
 
 } // namespace
 
-std::string studio_page(const std::string& scene, const PlacementSettings& first,
+std::string studio_page(const std::string& name, const PlacementSettings& first,
                         const ServerRequest& request)
 {
-    const std::string title = markup_text(scene);
+    const std::string title = markup_text(name);
     return filled_template(studio_page_html,
                            {{"TITLE", title},
                             {"STYLE_NONCE", request.nonce},

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Runs the renderer for the studio: probes of a scene, exact drafts of its print, and the print.
-#ifndef INTEGRAL_STUDIO_SCENE_RENDERS_H
-#define INTEGRAL_STUDIO_SCENE_RENDERS_H
+// Has the studio's pictures made: probes of its input, exact drafts of the print, and the print.
+#ifndef INTEGRAL_STUDIO_STUDIO_RENDERS_H
+#define INTEGRAL_STUDIO_STUDIO_RENDERS_H
 
 #include "integral/frame/frame.h"
-#include "integral/studio/placement_settings.h"
-#include "integral/studio/probe.h"
+#include "integral/studio/studio_input.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -22,19 +21,17 @@ struct ExactDraft {
     Frame frame; ///< with the print's pixels (with_final_pixels), 8-bit sRGB with alpha
 };
 
-/// Renders in the background, one picture at a time: two small probes first (again when the
+/// Has pictures made in the background, one at a time: two small probes first (again when the
 /// picture's shape changes), then exact drafts as soon as they are requested, and a probe with side
-/// views while nothing else is to be done. The print
-/// itself waits for the picture under way, and other pictures wait for the print. A change of the
-/// scene's files starts this anew. Nothing is rendered while no page listens.
-class SceneRenders {
+/// views while nothing else is to be done. The print itself waits for the picture under way, and
+/// other pictures wait for the print. A change of the input's files starts this anew. Nothing is
+/// made while no page listens.
+class StudioRenders {
 public:
-    /// `scene`: a scene's name (names_scene); `options`: further words for povray-integral;
-    /// `aspect`: width / height of the print, if known, else the options' +W and +H give it. Throws
-    /// InputError if the name cannot work.
-    SceneRenders(const std::string& scene, const std::vector<std::string>& options,
-                 std::optional<double> aspect);
-    ~SceneRenders();
+    /// `input` must outlive this. `aspect`: width / height of the print, if known, else the
+    /// input's.
+    StudioRenders(StudioInput& input, std::optional<double> aspect);
+    ~StudioRenders();
 
     // For any thread.
 
@@ -54,37 +51,32 @@ public:
     /// The newest print's file; empty: none yet.
     std::string print() const;
 
-    /// The words of povray-integral's command line for drafts and print, which are also lines of a
-    /// settings file.
-    std::vector<std::string> words_for(const PlacementSettings& settings,
-                                       const FrameMetadata& frame) const;
-
     /// The state as JSON on one line: probe (its number; 0: none), exact (its request's number; 0:
     /// none), draft and seconds of that, printing (whether the print is being rendered, or waits),
     /// print (the file of the newest print, or null), print_word (the same as a word for a shell),
-    /// work (what is being rendered: "probe", "exact", "print" or null), progress (0 to 1), problem
-    /// (why the scene cannot be rendered, or null).
+    /// work (what is being made: "probe", "exact", "print" or null), progress (0 to 1), problem
+    /// (why no picture can be made, or null).
     std::string state() const;
 
     /// A page that listens: counted from its construction to its destruction.
     class Listener {
     public:
-        explicit Listener(SceneRenders& renders);
+        explicit Listener(StudioRenders& renders);
         ~Listener();
         /// Waits for a change of the state, at most some seconds; returns the new state, or an
         /// empty text if nothing has changed; nothing after end().
         std::optional<std::string> next_state();
 
     private:
-        SceneRenders& renders_;
+        StudioRenders& renders_;
         int sent_changes_ = -1;
     };
 
     // For the program's first thread.
 
-    /// Starts, watches and ends the renderer. Call it several times a second.
+    /// Starts, watches and ends the making of pictures. Call it several times a second.
     void work();
-    /// Ends the renderer and all listeners' streams.
+    /// Ends that, and all listeners' streams.
     void end();
 
 private:
@@ -106,12 +98,12 @@ private:
     void begin_probe(const ProbeRequest& request);
     void begin_exact(const ExactRequest& request);
     void begin_print(const PrintRequest& request);
-    void begin(std::unique_ptr<Job> job, const std::vector<std::string>& words);
+    void begin(std::unique_ptr<Job> job, const Making& making);
     void watch_job();
+    static bool has_ended(Job& job);
     void finish(const Job& job);
 
-    const std::string scene_;
-    const std::vector<std::string> options_;
+    StudioInput& input_;
 
     mutable std::mutex mutex_; ///< guards the following
     std::condition_variable changed_;
@@ -133,7 +125,7 @@ private:
 
     // Used by the first thread alone.
     std::unique_ptr<Job> job_;
-    std::vector<std::pair<std::string, std::string>> files_; ///< of the scene, with their stamps
+    std::vector<std::pair<std::string, std::string>> files_; ///< of the input, with their stamps
     bool is_watching_ = false;                               ///< whether files_ has been filled
     Clock::time_point watched_;                              ///< when files_ were last looked at
 };

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "integral/studio/scene_renders.h"
+#include "integral/studio/studio_renders.h"
 
 #include "integral/base/json.h"
-#include "integral/batch/renderer_options.h"
-#include "integral/batch/scene_files.h"
 #include "integral/batch/scene_look.h"
 #include "integral/io/image_file.h"
 #include "integral/io/markup.h"
 #include "integral/replay/draft_frame.h"
+#include "integral/studio/background_work.h"
 #include "integral/studio/file_stamp.h"
 
 #include <algorithm>
@@ -17,8 +16,8 @@ namespace integral {
 namespace {
 
 constexpr int first_width = 160, middle_width = 320;                // of a probe's view, pixels
-constexpr auto time_between_looks = std::chrono::milliseconds(500); // at the scene's files
-constexpr auto time_without_listeners = std::chrono::seconds(10);   // ends a render
+constexpr auto time_between_looks = std::chrono::milliseconds(500); // at the input's files
+constexpr auto time_without_listeners = std::chrono::seconds(10);   // ends the work
 
 /// Whether two shapes, width / height, differ visibly.
 bool are_different(double aspect, double other) { return std::fabs(aspect / other - 1) > 0.01; }
@@ -31,55 +30,43 @@ ProbeRequest first_probe(double aspect)
     return request;
 }
 
-/// The value of an option that is a whole number > 0, such as +W; 0: not given.
-int size_option(const std::vector<std::string>& words, const char* keyword, const char* letter)
-{
-    return std::max(0, std::atoi(value_of_option(words, keyword, letter).c_str()));
-}
-
 } // namespace
 
-struct SceneRenders::Job {
+struct StudioRenders::Job {
     ScratchFolder scratch;
-    std::optional<ProbeRequest> probe; ///< what it renders: this, or else `exact`
+    std::optional<ProbeRequest> probe; ///< what it makes: this, or else `exact`
     std::optional<PrintRequest> print; ///< or this
     ExactRequest exact;
     int draft = 1;
     Clock::time_point began = Clock::now();
-    std::optional<ChildProcess> child;
+    std::optional<ChildProcess> child; ///< what makes it: this, or else `work`
+    std::optional<BackgroundWork> work;
 
     std::string log() const { return scratch.path("said.txt"); }
     std::string picture() const { return scratch.path("picture.png"); }
 };
 
-SceneRenders::SceneRenders(const std::string& scene, const std::vector<std::string>& options,
-                           std::optional<double> aspect)
-    : scene_(scene), options_(options)
+StudioRenders::StudioRenders(StudioInput& input, std::optional<double> aspect)
+    : input_(input), next_probe_(first_probe(aspect.value_or(input.aspect())))
 {
-    scene_words(scene); // throws for a name that cannot work
-    const int width = size_option(options, "width", "w"),
-              height = size_option(options, "height", "h");
-    next_probe_ = first_probe(aspect                    ? *aspect
-                              : width > 0 && height > 0 ? double(width) / height
-                                                        : 4.0 / 3);
 }
 
-SceneRenders::~SceneRenders() = default;
+StudioRenders::~StudioRenders() = default;
 
-std::shared_ptr<const Probe> SceneRenders::probe() const
+std::shared_ptr<const Probe> StudioRenders::probe() const
 {
     const std::lock_guard lock(mutex_);
     return probe_;
 }
 
-std::shared_ptr<const ExactDraft> SceneRenders::exact() const
+std::shared_ptr<const ExactDraft> StudioRenders::exact() const
 {
     const std::lock_guard lock(mutex_);
     return exact_;
 }
 
 /// Call it with mutex_ locked.
-void SceneRenders::change()
+void StudioRenders::change()
 {
     ++changes_;
     changed_.notify_all();
@@ -87,13 +74,13 @@ void SceneRenders::change()
 
 /// Whether live pictures need the requested probe before an exact draft is rendered. Call it with
 /// mutex_ locked.
-bool SceneRenders::is_urgent(const ProbeRequest& request) const
+bool StudioRenders::is_urgent(const ProbeRequest& request) const
 {
     return !probe_ || probe_->width < middle_width ||
            are_different(probe_->request.aspect, request.aspect);
 }
 
-void SceneRenders::request_exact(int number, const PlacementSettings& settings)
+void StudioRenders::request_exact(int number, const PlacementSettings& settings)
 {
     const std::lock_guard lock(mutex_);
     next_exact_ = ExactRequest{number, settings};
@@ -104,7 +91,7 @@ void SceneRenders::request_exact(int number, const PlacementSettings& settings)
     }
 }
 
-void SceneRenders::stop_exact(int number)
+void StudioRenders::stop_exact(int number)
 {
     const std::lock_guard lock(mutex_);
     if (requested_exact_ != number)
@@ -113,7 +100,7 @@ void SceneRenders::stop_exact(int number)
     requested_exact_ = 0;
 }
 
-void SceneRenders::request_print(const PlacementSettings& settings, const std::string& file)
+void StudioRenders::request_print(const PlacementSettings& settings, const std::string& file)
 {
     const std::lock_guard lock(mutex_);
     next_print_ = PrintRequest{file, settings};
@@ -124,7 +111,7 @@ void SceneRenders::request_print(const PlacementSettings& settings, const std::s
     change();
 }
 
-void SceneRenders::stop_print()
+void StudioRenders::stop_print()
 {
     const std::lock_guard lock(mutex_);
     next_print_.reset();
@@ -132,13 +119,13 @@ void SceneRenders::stop_print()
     change();
 }
 
-std::string SceneRenders::print() const
+std::string StudioRenders::print() const
 {
     const std::lock_guard lock(mutex_);
     return print_;
 }
 
-std::string SceneRenders::state() const
+std::string StudioRenders::state() const
 {
     const std::lock_guard lock(mutex_);
     return Json{{"probe", probe_number_},
@@ -154,20 +141,20 @@ std::string SceneRenders::state() const
         .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-SceneRenders::Listener::Listener(SceneRenders& renders) : renders_(renders)
+StudioRenders::Listener::Listener(StudioRenders& renders) : renders_(renders)
 {
     const std::lock_guard lock(renders_.mutex_);
     ++renders_.listeners_;
 }
 
-SceneRenders::Listener::~Listener()
+StudioRenders::Listener::~Listener()
 {
     const std::lock_guard lock(renders_.mutex_);
     --renders_.listeners_;
     renders_.left_ = Clock::now();
 }
 
-std::optional<std::string> SceneRenders::Listener::next_state()
+std::optional<std::string> StudioRenders::Listener::next_state()
 {
     {
         std::unique_lock lock(renders_.mutex_);
@@ -183,7 +170,7 @@ std::optional<std::string> SceneRenders::Listener::next_state()
     return renders_.state();
 }
 
-void SceneRenders::end()
+void StudioRenders::end()
 {
     job_.reset();
     const std::lock_guard lock(mutex_);
@@ -191,7 +178,7 @@ void SceneRenders::end()
     changed_.notify_all();
 }
 
-void SceneRenders::work()
+void StudioRenders::work()
 {
     if (!is_watching_ || Clock::now() - watched_ > time_between_looks)
         watch_files();
@@ -235,7 +222,7 @@ void SceneRenders::work()
 
 /// Returns whether the job's picture is no longer requested. A probe or print is requested again if
 /// it is only put off, because no page listens or an exact draft is more urgent.
-bool SceneRenders::is_abandoned()
+bool StudioRenders::is_abandoned()
 {
     const std::lock_guard lock(mutex_);
     const bool unheard = listeners_ == 0 && Clock::now() - left_ > time_without_listeners;
@@ -252,8 +239,8 @@ bool SceneRenders::is_abandoned()
     return is_put_off;
 }
 
-/// Begins anew if one of the scene's files has changed.
-void SceneRenders::watch_files()
+/// Begins anew if one of the input's files has changed.
+void StudioRenders::watch_files()
 {
     watched_ = Clock::now();
     if (is_watching_ &&
@@ -263,11 +250,10 @@ void SceneRenders::watch_files()
         return;
     decltype(files_) files;
     try {
-        for (const SceneFile& file :
-             files_of_scene(scene_, {".", scene_words(scene_, options_), ""}))
-            files.emplace_back(file.path, file_stamp(file.path));
+        for (const std::string& file : input_.files())
+            files.emplace_back(file, file_stamp(file));
     } catch (const std::exception&) {
-        files.clear(); // the scene is not here, but where povray-integral finds it; or is missing
+        files.clear(); // a scene is not here, but where povray-integral finds it; or is missing
     }
     const bool is_first = !is_watching_;
     is_watching_ = true;
@@ -280,6 +266,7 @@ void SceneRenders::watch_files()
     if (job_ && job_->print && !next_print_)
         next_print_ = job_->print;
     job_.reset();
+    input_.forget();
     next_probe_ = first_probe(probe_        ? probe_->request.aspect
                               : next_probe_ ? next_probe_->aspect
                                             : 4.0 / 3);
@@ -290,15 +277,15 @@ void SceneRenders::watch_files()
     change();
 }
 
-void SceneRenders::begin_probe(const ProbeRequest& request)
+void StudioRenders::begin_probe(const ProbeRequest& request)
 {
     auto job = std::make_unique<Job>();
     job->probe = request;
-    const auto words = probe_words(scene_, options_, request, job->scratch);
-    begin(std::move(job), words);
+    const Making making = input_.probe(request, job->scratch);
+    begin(std::move(job), making);
 }
 
-void SceneRenders::begin_exact(const ExactRequest& request)
+void StudioRenders::begin_exact(const ExactRequest& request)
 {
     const std::shared_ptr<const Probe> current = probe();
     if (!current)
@@ -320,44 +307,28 @@ void SceneRenders::begin_exact(const ExactRequest& request)
     auto job = std::make_unique<Job>();
     job->exact = request;
     job->draft = draft_of_four_views(frame);
-    std::vector<std::string> words = words_for(request.settings, frame);
-    for (const char* word :
-         {"-A", "Integral_Audit=off", "Integral_Depth_Image=", "Integral_Error_Image="})
-        words.push_back(word);
-    words.push_back("Integral_Draft=" + std::to_string(job->draft));
-    words.push_back("+O" + quoted(job->picture()));
-    begin(std::move(job), words);
+    const Making making = input_.draft(request.settings, frame, job->draft, job->picture());
+    begin(std::move(job), making);
 }
 
-void SceneRenders::begin_print(const PrintRequest& request)
+void StudioRenders::begin_print(const PrintRequest& request)
 {
     auto job = std::make_unique<Job>();
     job->print = request;
-    std::vector<std::string> words = words_for(
-        request.settings, frame_of_settings(request.settings, &probe()->depths));
-    words.push_back("+A0.3");
-    words.push_back("Integral_Draft=1");
-    words.push_back("+O" + quoted(job->picture()));
-    begin(std::move(job), words);
+    const Making making = input_.print(
+        request.settings, frame_of_settings(request.settings, &probe()->depths), job->picture());
+    begin(std::move(job), making);
 }
 
-std::vector<std::string> SceneRenders::words_for(const PlacementSettings& settings,
-                                                 const FrameMetadata& frame) const
+void StudioRenders::begin(std::unique_ptr<Job> job, const Making& making)
 {
-    std::vector<std::string> words = scene_words(scene_, options_);
-    for (const char* word : {"-P", "+FN8", "Integral_Fit=off", "Integral_Quilt="})
-        words.push_back(word);
-    words.push_back("+W" + std::to_string(frame.film.width));
-    words.push_back("+H" + std::to_string(frame.film.height));
-    words.push_back("Integral_Camera=\"" + words_of_settings(settings, frame) + "\"");
-    return words;
-}
-
-void SceneRenders::begin(std::unique_ptr<Job> job, const std::vector<std::string>& words)
-{
-    std::vector<std::string> line = words;
-    line.insert(line.begin(), renderer_program());
-    job->child.emplace(line, ".", job->log());
+    if (making.command.empty())
+        job->work.emplace(making.function);
+    else {
+        std::vector<std::string> line = making.command;
+        line.insert(line.begin(), renderer_program());
+        job->child.emplace(line, ".", job->log());
+    }
     job_ = std::move(job);
     const std::lock_guard lock(mutex_);
     work_ = job_->print ? "print" : job_->probe ? "probe" : "exact";
@@ -365,26 +336,20 @@ void SceneRenders::begin(std::unique_ptr<Job> job, const std::vector<std::string
     change();
 }
 
-void SceneRenders::watch_job()
+void StudioRenders::watch_job()
 {
-    const auto end = job_->child->ended();
-    if (!end) {
-        const double part = rendered_part(job_->log());
-        const std::lock_guard lock(mutex_);
-        if (std::fabs(part - progress_) >= 0.01) {
-            progress_ = part;
-            change();
-        }
-        return;
-    }
     std::string problem;
     try {
-        if (end->status == program_cannot_be_run)
-            problem = no_renderer(read_file(job_->log())).what();
-        else if (end->status != 0)
-            problem = reason_in(read_file(job_->log()));
-        else
-            finish(*job_);
+        if (!has_ended(*job_)) {
+            const double part = job_->child ? rendered_part(job_->log()) : job_->work->part();
+            const std::lock_guard lock(mutex_);
+            if (std::fabs(part - progress_) >= 0.01) {
+                progress_ = part;
+                change();
+            }
+            return;
+        }
+        finish(*job_);
     } catch (const std::exception& error) {
         problem = error.what();
     }
@@ -396,11 +361,24 @@ void SceneRenders::watch_job()
     }
 }
 
+/// Whether a job's work has ended. Throws if it failed.
+bool StudioRenders::has_ended(Job& job)
+{
+    if (job.work)
+        return job.work->ended();
+    const auto end = job.child->ended();
+    if (end && end->status == program_cannot_be_run)
+        throw no_renderer(read_file(job.log()));
+    if (end && end->status != 0)
+        throw std::runtime_error(reason_in(read_file(job.log())));
+    return end.has_value();
+}
+
 /// Publishes the job's picture.
-void SceneRenders::finish(const Job& job)
+void StudioRenders::finish(const Job& job)
 {
     if (job.probe) {
-        auto probe = std::make_shared<Probe>(read_probe(*job.probe, job.scratch));
+        auto probe = std::make_shared<Probe>(input_.made_probe(*job.probe, job.scratch));
         const std::lock_guard lock(mutex_);
         // The fit must not change with the probe's number of views or pixels.
         if (probe_ && !are_different(probe_->request.aspect, job.probe->aspect))
