@@ -85,13 +85,18 @@ bool shows_by_depth(const std::vector<std::string>& inputs, const DepthSource& s
     return (inputs.size() == 1 && own_place(inputs[0])) || is_pair_of_files(inputs);
 }
 
+std::string depth_in_force(const std::vector<std::string>& inputs, const DepthSource& source)
+{
+    return source.depth.value_or(own_place(inputs[0]).value_or("measured"));
+}
+
 void set_depth_source(ReliefRequest& request, const std::vector<std::string>& inputs,
                       const DepthSource& source, const FrameMetadata& seen)
 {
     constexpr double otherwise = 0.02; // of the distance, for sheets without a depth budget
     if (request.fit == Fit::stretch)
         throw UsageError("--fit stretch: a scene with depth cannot be stretched; contain or cover");
-    const std::string depth = source.depth.value_or(own_place(inputs[0]).value_or("measured"));
+    const std::string depth = depth_in_force(inputs, source);
     request.own = depth == "beside"   ? OwnDepth::beside
                   : depth == "inside" ? OwnDepth::inside
                                       : OwnDepth::none;

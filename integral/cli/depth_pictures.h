@@ -28,6 +28,10 @@ bool has_own_depth(const std::string& path, const DepthSource& source);
 /// views. Throws InputError.
 bool shows_by_depth(const std::vector<std::string>& inputs, const DepthSource& source);
 
+/// The value of --depth that is in force: as given, or by the first input's file: beside, inside,
+/// or else measured. Throws InputError.
+std::string depth_in_force(const std::vector<std::string>& inputs, const DepthSource& source);
+
 /// Fills the fields of a request that --depth and --depth-range give, and its limit: twice the
 /// depth budget of the geometry that will be seen. Throws UsageError.
 void set_depth_source(ReliefRequest& request, const std::vector<std::string>& inputs,

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// integral studio: a page on which a scene is placed on a sheet.
+// integral studio: a page on which a scene, or a picture with depth, is placed on a sheet.
 #include "integral/batch/renderer_options.h"
+#include "integral/cli/depth_pictures.h"
+#include "integral/cli/fit_options.h"
 #include "integral/cli/geometry_options.h"
+#include "integral/cli/progress.h"
+#include "integral/frame/quilt_name.h"
 #include "integral/io/image_file.h"
+#include "integral/studio/picture_input.h"
 #include "integral/studio/scene_input.h"
 #include "integral/studio/studio.h"
 
@@ -13,7 +18,9 @@ namespace {
 
 struct StudioOptions : CommonOptions {
     SheetOptions sheet;
-    std::optional<std::string> start, panel, dpi, print, distance;
+    std::optional<std::string> start, panel, dpi, print, distance, views;
+    DepthSource depth;
+    ViewOrderOptions given_views;
     std::optional<int> port;
     bool no_browser = false;
 };
@@ -28,6 +35,13 @@ void declare(options::options_description& all, StudioOptions& o)
     add(all, "print", o.print, "WxH",
         "size of the picture in mm (default: 150 on the longer side, of the scene's shape)");
     add(all, "distance", o.distance, "MM", "from the viewer to the sheet (default 400)");
+    add(all, "depth", o.depth.depth, "HOW",
+        "where the depth of a picture is, as in integral views: beside, inside, FILE or measured "
+        "(default: by the picture)");
+    add(all, "depth-range", o.depth.range, "WHITE,BLACK",
+        "its depths to begin with, as in integral views");
+    add(all, "views", o.views, "CxR", "views of a quilt whose name does not tell, across and up");
+    declare(all, o.given_views);
     add(all, "port", o.port, "PORT", "the port of the page (default: a free one)");
     add(all, "no-browser", o.no_browser, "print the page's address and do not open a browser");
 }
@@ -74,17 +88,80 @@ std::optional<double> aspect_of(const PlacementSettings& settings)
     return size.x > 0 ? std::optional(size.x / size.y) : std::nullopt;
 }
 
+/// The scene, and further words for povray-integral.
+std::unique_ptr<StudioInput> scene_input(const StudioOptions& o)
+{
+    throw_if_given({{"depth", o.depth.depth},
+                    {"depth-range", o.depth.range},
+                    {"views", o.views},
+                    {"aspect", o.given_views.given_aspect},
+                    {"right-to-left", o.given_views.right_to_left}},
+                   "is for pictures, not for a scene");
+    return std::make_unique<SceneInput>(
+        o.inputs[0], std::vector<std::string>(o.inputs.begin() + 1, o.inputs.end()));
+}
+
+/// Pictures with depth, to begin with as integral views puts them on the first sheet.
+std::unique_ptr<StudioInput> picture_input(const StudioOptions& o, PlacementSettings first)
+{
+    const std::string depth = depth_in_force(o.inputs, o.depth);
+    if (depth == "measured" && o.inputs.size() == 1 && !o.views && is_plain_picture(o.inputs[0]))
+        throw UsageError(o.inputs[0] +
+                         ": it is a picture without depth; give --depth FILE, a grey picture or "
+                         ".pfm, or a second picture, from another eye");
+    if (!(first.print.x > 0))
+        first.print = print_of_aspect(1);
+    const FrameMetadata geometry = frame_of_settings(first, nullptr);
+    ReliefRequest request;
+    request.size = size_of(geometry.film);
+    request.distance = geometry.aperture.distance;
+    request.tell = [](const std::string& what) { say("studio", what); };
+    request.input.aspect = o.given_views.aspect();
+    request.input.right_to_left = o.given_views.right_to_left;
+    std::vector<std::string> words = o.inputs;
+    words.insert(words.end(), {"--depth", depth});
+    if (o.views) {
+        request.input.grid = parse_view_grid(*o.views);
+        words.insert(words.end(), {"--views", *o.views});
+    }
+    if (o.given_views.given_aspect)
+        words.insert(words.end(), {"--aspect", *o.given_views.given_aspect});
+    if (o.given_views.right_to_left)
+        words.push_back("--right-to-left");
+    if (o.views || quilt_in_name(o.inputs[0])) {
+        request.input.zone = GivenZone{
+            {viewing_zone(geometry.sheet, geometry.aperture), request.distance},
+            request.size.x,
+            geometry.sheet};
+        words.push_back("--eyes");
+    }
+    set_depth_source(request, o.inputs, o.depth, geometry);
+    return usage_checked(o.inputs[0] + ": ", [&] {
+        return std::make_unique<PictureInput>(o.inputs, words, request, progress_bar("studio"));
+    });
+}
+
+/// The settings to begin with for pictures: of a frame, unless options say otherwise, its own.
+PlacementSettings settings_of_picture(StudioOptions o)
+{
+    const std::optional<FrameMetadata> own = FrameReader(o.inputs[0]).frame().metadata;
+    if (!own || o.panel || o.start)
+        return settings_of(o);
+    o.start = o.inputs[0];
+    PlacementSettings settings = settings_of(o);
+    if (!o.print && !o.dpi)
+        settings.print = size_of(own->film);
+    return settings;
+}
+
 int run(const StudioOptions& o)
 {
-    const std::string& scene = o.inputs.front();
-    if (!names_scene(scene))
-        throw UsageError(scene + ": not a scene; give a .pov or .ini file");
-    const std::vector<std::string> words(o.inputs.begin() + 1, o.inputs.end());
-    const PlacementSettings first = settings_of(o);
-    SceneInput input(scene, words);
-    StudioRenders renders(input, aspect_of(first));
+    const bool is_scene = names_scene(o.inputs[0]);
+    const PlacementSettings first = is_scene ? settings_of(o) : settings_of_picture(o);
+    const std::unique_ptr<StudioInput> input = is_scene ? scene_input(o) : picture_input(o, first);
+    StudioRenders renders(*input, aspect_of(first));
     PanelWindow window;
-    Studio studio(input, first, renders, window);
+    Studio studio(*input, first, renders, window);
     Server server(o.port ? in_range("port", *o.port, 1, 65535) : 0,
                   [&](const ServerRequest& request) { return studio.answer(request); });
     std::printf("the studio is at %s (Ctrl+C ends it)\n", server.address().c_str());
@@ -105,14 +182,19 @@ int run(const StudioOptions& o)
 
 const Command studio_command = {
     "studio",
-    "a page on which a scene is placed on a sheet by dragging, live",
-    "SCENE [+W +H ...] [--panel NAME | --lpi N ...] [--dpi D] [--print WxH] [--distance MM]",
+    "a page on which a scene or a picture is placed on a sheet by dragging, live",
+    "SCENE [+W +H ...] | PICTURE [--depth HOW] | LEFT RIGHT [--panel NAME | --lpi N ...] [--dpi D] "
+    "[--print WxH] [--distance MM]",
     R"(Opens a page in a browser on this machine and prints its address. The page shows
 the scene through a lens sheet: drag the sheet through the scene, change the parallax,
 choose sheet, print size, printer and viewing distance, or a panel, move the eye, and
 see what is sharp, soft and beyond the depth budget. While nothing moves, povray-integral
 renders a draft of the print, and the page shows what an eye sees of it. Save writes a
 settings file that povray-integral renders.
+
+The same is done with a picture and its depth (a grey picture, .pfm, RGBD, a phone's), a
+stereo pair, a quilt or a frame, whose depth is measured: integral views makes the print,
+and Save writes the geometry for that.
 
 The options describe the sheet, printer and print, or the panel, to begin with (without
 them 60 lenses per inch); the page also lists the known sheets and panels. Words

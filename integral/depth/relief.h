@@ -62,6 +62,10 @@ public:
     Vec2 size() const { return size_; }           ///< of the pictures in the image plane, mm
     double pixel() const { return pixel_; }       ///< side of a picture's pixel, mm
 
+    /// Moves the eyes' plane to that distance from the image plane, mm. Parallax stays, so that the
+    /// scene's depth grows with the distance.
+    void set_distance(double distance) { distance_ = distance; }
+
     /// Makes the scene `factor` times as large.
     void scale(double factor);
     /// Makes the scene so large that its pictures fit into a rectangle, mm; or fill it, with

@@ -192,11 +192,8 @@ std::optional<DecodedDepths> decoded_depths(const std::string& path)
 
 bool is_photograph(const std::vector<std::string>& inputs, const ReliefRequest& request)
 {
-    if (inputs.size() != 1 || request.depth_file.empty() || request.input.grid ||
-        is_list_of_views(inputs[0]) || quilt_in_name(inputs[0]))
-        return false;
-    return !FrameReader(inputs[0], request.input.sheet).frame().metadata &&
-           !read_views(inputs[0], false).metadata;
+    return inputs.size() == 1 && !request.depth_file.empty() && !request.input.grid &&
+           is_plain_picture(inputs[0], request.input.sheet);
 }
 
 /// The two pictures of a stereo pair without a record of their eyes; nothing for other inputs.
@@ -240,6 +237,12 @@ void need_scale(const ViewSet& views)
 }
 
 } // namespace
+
+bool is_plain_picture(const std::string& path, const std::string& sheet)
+{
+    return !is_list_of_views(path) && !quilt_in_name(path) &&
+           !FrameReader(path, sheet).frame().metadata && !read_views(path, false).metadata;
+}
 
 bool is_pair_of_files(const std::vector<std::string>& inputs)
 {

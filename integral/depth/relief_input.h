@@ -82,6 +82,10 @@ ReliefInput read_unplaced_relief(const std::vector<std::string>& inputs,
 /// is reported to the user. Throws std::invalid_argument.
 void place(ReliefInput& input, const std::string& name, const ReliefRequest& request);
 
+/// Whether a file is one picture: no frame, also with the geometry in the file `sheet`, if that is
+/// not "", and no views. Throws InputError.
+bool is_plain_picture(const std::string& path, const std::string& sheet = "");
+
 /// Whether inputs are the two views of a stereo pair, in one file (an MPO, a stereo OpenEXR) or
 /// two, without a record of their eyes. Throws InputError.
 bool is_pair_of_files(const std::vector<std::string>& inputs);

@@ -191,9 +191,9 @@ ReliefInput read_own_depth(const std::string& path, const ReliefRequest& request
 ReliefInput relief_of_pair(const std::string& name, Image left, Image right,
                            const ReliefRequest& request, int threads, const Progress& progress)
 {
-    constexpr int map_width = 480;      // pixels: of maps; the pictures may have more
-    constexpr double least_range = 0.1; // pixels: a flat picture has no depth to stretch
-    constexpr double few = 0.5;         // of the pixels
+    constexpr int map_width = 480;    // pixels: of maps; the pictures may have more
+    constexpr double least_range = 1; // pixels: a flat picture has no depth to stretch
+    constexpr double few = 0.5;       // of the pixels
     if (left.width != right.width || left.height != right.height)
         throw std::invalid_argument("its two pictures differ in size");
     if (request.input.right_to_left)

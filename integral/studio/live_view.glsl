@@ -29,6 +29,7 @@ uniform sampler2DArray nearness; // D0/r; 0: no surface
 uniform int view_count;
 uniform vec2 view_eyes[max_views]; // e/D0
 uniform float probe_distance;      // D0, scene units
+uniform vec2 window;               // the part of the film, around its middle, that shows the scene
 uniform float max_nearness;        // of all views
 uniform int max_steps;
 
@@ -376,6 +377,8 @@ vec3 tinted(Surface surface)
 
 vec3 light_along(SightLine line)
 {
+    if (any(greaterThan(abs(line.pole), 0.5 * window * vec2(film_size) * pixel_pitch)) && any(lessThan(window, vec2(1))))
+        return vec3(0);
     Surface surface = surface_along(line, parallax * line.aperture);
     return tint > 0.0 ? tinted(surface) : surface.colour;
 }

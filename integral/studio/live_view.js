@@ -18,12 +18,14 @@ class LiveView extends SheetDrawing {
   }
 
   // Loads pictures of the scene from eyes in the plane of its own eye, all with the same window,
-  // whose shape is the film's: { width, height, sheet_distance, views: [{ eye, colours, nearness }] }.
+  // whose shape is the film's: { width, height, sheet_distance, window, views: [{ eye, colours,
+  // nearness }] }. window: width and height of the part of the film, around its middle, that shows
+  // the scene (default: all of it).
   // sheet_distance: from the eyes to the window, scene units. eye: to the right of the scene's own
   // eye and above, scene units. colours: Uint8Array, sRGB, three a pixel; nearness: Float32Array, 1/r
   // with the distance r from the eyes' plane in scene units, 0 where there is no surface. Both row by
   // row from the upper left.
-  set_probe({ width, height, sheet_distance, views }) {
+  set_probe({ width, height, sheet_distance, window = [1, 1], views }) {
     const { gl } = this, size = width * height;
     if (!(views.length >= 1 && views.length <= max_live_views))
       throw Error(`A probe has 1 to ${max_live_views} views, not ${views.length}.`);
@@ -46,7 +48,7 @@ class LiveView extends SheetDrawing {
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, unpacked);
     const eyes = new Float32Array(2 * max_live_views);
     views.forEach(({ eye }, k) => eyes.set(eye.map((v) => v / sheet_distance), 2 * k));
-    this.probe = { textures, count: views.length, eyes, sheet_distance, max_nearness };
+    this.probe = { textures, count: views.length, eyes, sheet_distance, window, max_nearness };
   }
 
   // The view's size in pixels, the part of the sheet that it shows, [x, y, width, height], and the
@@ -82,6 +84,7 @@ class LiveView extends SheetDrawing {
     whole("view_count", probe.count);
     gl.uniform2fv(at("view_eyes"), probe.eyes);
     number("probe_distance", probe.sheet_distance);
+    gl.uniform2fv(at("window"), probe.window);
     number("max_nearness", probe.max_nearness);
     whole("max_steps", steps);
     this.steps.forEach((texture, unit) => this.bind(unit, texture));

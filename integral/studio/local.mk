@@ -10,6 +10,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/studio/file_stamp.h \
   integral/studio/panel_window.cpp \
   integral/studio/panel_window.h \
+  integral/studio/picture_input.cpp \
+  integral/studio/picture_input.h \
   integral/studio/placement_settings.cpp \
   integral/studio/placement_settings.h \
   integral/studio/probe.cpp \

@@ -157,6 +157,7 @@ std::string probe_bytes(const Probe& probe)
     Json head = {{"width", probe.width},
                  {"height", probe.height},
                  {"sheet_distance", probe.sheet_distance},
+                 {"window", list(probe.window)},
                  {"eyes", Json::array()}};
     for (const ProbeView& view : probe.views)
         head["eyes"].push_back(list(view.eye));

@@ -34,6 +34,8 @@ struct Probe {
     ProbeRequest request;
     int width = 0, height = 0;    ///< of each view, pixels
     double sheet_distance = 0;    ///< scene units from the scene's eye
+    Vec2 window{1, 1}; ///< width and height of the part of the sheet, around its middle, that shows
+                       ///< the scene; the rest stays black
     std::vector<ProbeView> views; ///< the scene's own eye first
     DepthFrame depths; ///< for figures: eye_distances and the metadata with the placement; no
                        ///< pixels
@@ -60,10 +62,10 @@ ProbeView probe_view(const Image& picture, const DepthFrame& depths, int view);
 /// Reads the finished pictures. Throws InputError.
 Probe read_probe(const ProbeRequest& request, const ScratchFolder& scratch);
 
-/// The probe for the page's script: a line of JSON (width, height, sheet_distance, eyes: a list of
-/// pairs), then for each view its colours, R, G and B, and its nearness as 32-bit floats. Numbers
-/// have this machine's byte order, which is the browser's on the same machine. Spaces at the end of
-/// the line make its length a multiple of four, and so does padding after the colours.
+/// The probe for the page's script: a line of JSON (width, height, sheet_distance, window, eyes: a
+/// list of pairs), then for each view its colours, R, G and B, and its nearness as 32-bit floats.
+/// Numbers have this machine's byte order, which is the browser's on the same machine. Spaces at
+/// the end of the line make its length a multiple of four, and so does padding after the colours.
 std::string probe_bytes(const Probe& probe);
 
 /// A JSON document on one line, padded with spaces so that the line's length is a multiple of four.

@@ -92,6 +92,8 @@ function show_badge() {
 }
 
 // Name of what is rendered.
+// Whether the page's words are a command line, as for pictures with depth, in place of a camera's.
+const is_command = () => figures.words.startsWith("integral ");
 function product() { return state.sheet?.panel ? "panel's image" : "print"; }
 
 function show_print_button() {
@@ -158,6 +160,7 @@ function show() {
   }
   element("print-words").textContent = `${film.width} × ${film.height} pixels, ${figures_of(figures.lenses, 3)} lenses across, ${figures_of(figures.pixels_per_lens, 3)} pixels per lens`;
   element("words").value = figures.words;
+  element("words-name").textContent = is_command() ? "Command for the " + product() : "Words for the camera";
   show_eye();
   show_badge();
   show_print_button();
@@ -221,7 +224,8 @@ function on_controls() {
   element("copy").addEventListener("click", () => {
     element("words").select();
     navigator.clipboard?.writeText(element("words").value);
-    element("saved").textContent = "The words are copied: Integral_Camera=\"...\" takes them, and so does camera { integral ... }.";
+    element("saved").textContent = is_command() ? "The command is copied; Save writes its file."
+      : "The words are copied: Integral_Camera=\"...\" takes them, and so does camera { integral ... }.";
   });
   element("print").addEventListener("click", async () => {
     try {

@@ -90,9 +90,9 @@ async function get_bytes(path) {
 
 async function load_probe() {
   const { head, bytes, at } = await get_bytes("/probe");
-  const { width, height, sheet_distance, eyes } = head, pixels = width * height, colours = Math.ceil(3 * pixels / 4) * 4;
+  const { width, height, sheet_distance, window, eyes } = head, pixels = width * height, colours = Math.ceil(3 * pixels / 4) * 4;
   const first = !probe;
-  probe = { width, height, sheet_distance, views: eyes.map((eye, k) => {
+  probe = { width, height, sheet_distance, window, views: eyes.map((eye, k) => {
     const from = at + k * (colours + 4 * pixels);
     return { eye, colours: new Uint8Array(bytes, from, 3 * pixels), nearness: new Float32Array(bytes, from + colours, pixels) };
   }) };

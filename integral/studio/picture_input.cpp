@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "integral/studio/picture_input.h"
+
+#include "integral/base/file_bytes.h"
+#include "integral/base/interrupt.h"
+#include "integral/base/number_text.h"
+#include "integral/depth/relief_frame.h"
+#include "integral/depth/relief_pictures.h"
+#include "integral/frame/view_eyes.h"
+#include "integral/io/markup.h"
+#include "integral/optics/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace integral {
+namespace {
+
+/// The distance from the scene's eye of a surface of parallax p. `eye`: from the eye to the window.
+double distance_of(double p, double eye) { return p < 1 ? eye / (1 - p) : HUGE_VAL; }
+
+/// The view from an eye, in lines of sight through a raster in the image plane.
+ProbeView view_of_relief(const Relief& relief, Vec2 eye, const Film& raster, double distance)
+{
+    const int lines = std::clamp(int(std::ceil(raster.pixel_pitch.x / relief.pixel() - 0.5)), 1, 3);
+    ProbeView view;
+    view.eye = eye;
+    for (int y = 0; y < raster.height; ++y)
+        for (int x = 0; x < raster.width; ++x) {
+            ReliefFigures figures;
+            MeanSeen mean(lines * lines, figures);
+            for (int k = 0; k < lines * lines; ++k)
+                mean.add(relief.along({film_from_pixel(raster, {x + (k % lines + 0.5) / lines,
+                                                                y + (k / lines + 0.5) / lines}),
+                                       eye}));
+            for (const float part : {mean.light().r, mean.light().g, mean.light().b})
+                view.colours.push_back(std::uint8_t(
+                    std::lround(255 * encode(Encoding{}, std::clamp(part, 0.f, 1.f)))));
+            const double p = relief.along({film_from_pixel(raster, {x + 0.5, y + 0.5}), eye})
+                                 .parallax;
+            view.nearness.push_back(float(1 / distance_of(p, distance)));
+        }
+    return view;
+}
+
+/// The scene's geometry for figures: a window on a film of that raster, seen from that distance.
+FrameMetadata scene_of(const Film& raster, double distance)
+{
+    FrameMetadata scene;
+    scene.film = raster;
+    scene.aperture.distance = distance;
+    scene.parallax = Parallax{1, distance};
+    Placement placement;
+    placement.x = {1, 0, 0};
+    placement.y = {0, 1, 0};
+    placement.z = {0, 0, 1};
+    placement.sheet_distance = distance;
+    scene.placement = placement;
+    return scene;
+}
+
+/// The frame without its place in the scene: a frame of pictures is in the viewer's space.
+FrameMetadata print_geometry(const FrameMetadata& frame)
+{
+    FrameMetadata geometry = frame;
+    geometry.placement.reset();
+    geometry.parallax.reset();
+    return geometry;
+}
+
+} // namespace
+
+PictureInput::PictureInput(const std::vector<std::string>& inputs,
+                           const std::vector<std::string>& words, const ReliefRequest& request,
+                           const Progress& progress)
+    : inputs_(inputs), words_(words), request_(request)
+{
+    request_.tell = ReliefRequest().tell;
+    const ReliefInput input = placed(request, progress);
+    if (input.unit == DepthUnit::ends)
+        throw std::invalid_argument("views with grey depths have no place for another sheet; give "
+                                    "a .pfm file, or --depth measured");
+    aspect_ = input.relief.size().x / input.relief.size().y;
+}
+
+std::string PictureInput::name() const { return std::filesystem::path(inputs_[0]).stem().string(); }
+
+std::vector<std::string> PictureInput::files() const
+{
+    std::vector<std::string> files = inputs_;
+    if (!request_.depth_file.empty())
+        files.push_back(request_.depth_file);
+    return files;
+}
+
+void PictureInput::forget() { relief_.reset(); }
+
+/// The inputs' relief, placed as requested. Reads the inputs, unless they have been read for that
+/// size and distance. Depth that is measured in views is the same for all.
+ReliefInput PictureInput::placed(const ReliefRequest& request, const Progress& progress)
+{
+    const bool is_measured = request.depth_file.empty() && request.own == OwnDepth::none;
+    if (!relief_ || (!is_measured && (length(read_size_ - request.size) > 0 ||
+                                      read_distance_ != request.distance))) {
+        relief_.reset();
+        relief_ = read_unplaced_relief(inputs_, request, 0, progress);
+        read_size_ = request.size;
+        read_distance_ = request.distance;
+        if (request.distance == request_.distance)
+            set_ends();
+    }
+    ReliefInput input = *relief_;
+    if (input.unit == DepthUnit::pair) { // as if it had been read for this size and distance
+        const Vec2 size = input.relief.size();
+        input.relief.scale(std::min(request.size.x / size.x, request.size.y / size.y));
+        input.relief.set_distance(request.distance);
+    }
+    ReliefRequest quiet = request; // the page says where depths are put
+    quiet.tell = request_.tell;
+    place(input, inputs_[0], quiet);
+    return input;
+}
+
+void PictureInput::set_ends()
+{
+    const bool are_given = relief_->unit != DepthUnit::mm || request_.ends;
+    const std::lock_guard lock(mutex_);
+    ends_ = are_given ? requested_span(inputs_[0], request_, relief_->relief.distance())
+                      : relief_->relief.span();
+}
+
+Making PictureInput::probe(const ProbeRequest& request, const ScratchFolder&)
+{
+    return {
+        {}, [this, request](const Progress& progress) {
+            ReliefInput input = placed(request_, piece_of(progress, 0, 2));
+            Relief& relief = input.relief;
+            Probe probe;
+            probe.request = request;
+            probe.width = request.width;
+            probe.height = std::max(1, int(std::lround(request.width / request.aspect)));
+            const Vec2 window{request_.size.x, request_.size.x / request.aspect};
+            relief.scale_to(window, request_.fit);
+            probe.window = {std::min(1.0, relief.size().x / window.x),
+                            std::min(1.0, relief.size().y / window.y)};
+            const Film raster{
+                probe.width, probe.height, {window.x / probe.width, window.y / probe.height}};
+            const double distance = request_.distance;
+            probe.sheet_distance = distance;
+            probe.views.resize(std::size_t(request.grid.count()));
+            const EyeGrid eyes{{request.zone.x * window.x, request.zone.y * window.x}, distance};
+            const auto draw = [&](int view) {
+                probe.views[std::size_t(view)] = view_of_relief(
+                    relief, eye_of_view(eyes, request.grid, view), raster, distance);
+            };
+            if (!for_each_row(request.grid.count(), 0, draw, piece_of(progress, 1, 2)))
+                throw Interrupted();
+            std::swap(probe.views.front(), probe.views[std::size_t(request.grid.count() / 2)]);
+            probe.depths.metadata = scene_of(raster, distance);
+            for (const float nearness : probe.views.front().nearness)
+                probe.depths.eye_distances.push_back(1 / nearness);
+            probe_ = std::move(probe);
+        }};
+}
+
+Probe PictureInput::made_probe(const ProbeRequest&, const ScratchFolder&)
+{
+    return std::move(probe_);
+}
+
+/// The range of depths, mm behind the sheet, for a frame's placement. Rounded to 0.1 micrometres.
+DepthSpan PictureInput::depth_range(const FrameMetadata& frame) const
+{
+    ParallaxSpan ends;
+    {
+        const std::lock_guard lock(mutex_);
+        ends = ends_;
+    }
+    const auto seen = [&](double p) {
+        // Nearness is linear in parallax, and so is a relief's parallax in nearness (optics.md 8).
+        const double parallax = frame.parallax->factor *
+                                (1 - frame.placement->sheet_distance * (1 - p) / request_.distance);
+        if (!(parallax < 1))
+            throw std::invalid_argument("the farthest depth would be seen beyond infinity; choose "
+                                        "a smaller parallax");
+        return std::round(1e4 * frame.aperture.distance * parallax / (1 - parallax)) / 1e4;
+    };
+    return {seen(ends.near), seen(ends.far)};
+}
+
+Making PictureInput::draft(const PlacementSettings&, const FrameMetadata& frame, int draft,
+                           const std::string& file)
+{
+    ReliefRequest request = request_;
+    request.ends = depth_range(frame);
+    request.size = size_of(frame.film);
+    request.distance = frame.aperture.distance;
+    FrameMetadata geometry = print_geometry(frame);
+    if (draft > 1) {
+        geometry.film = draft_of(frame.film, draft);
+        geometry.render.emplace();
+        geometry.render->draft = draft;
+    }
+    return {{}, [this, request, geometry, file](const Progress& progress) {
+                ReliefInput input = placed(request, piece_of(progress, 0, 2));
+                write_relief_frame(file, std::move(input.relief), geometry, input.form, request.fit,
+                                   0, piece_of(progress, 1, 2));
+            }};
+}
+
+Making PictureInput::print(const PlacementSettings& settings, const FrameMetadata& frame,
+                           const std::string& file)
+{
+    return draft(settings, frame, 1, file);
+}
+
+/// The command that makes the print `file`. `sheet`: the file with its geometry.
+std::string PictureInput::command(const FrameMetadata& frame, const std::string& sheet,
+                                  const std::string& file) const
+{
+    const DepthSpan range = depth_range(frame);
+    std::string line = "integral views --to-frame";
+    for (const std::string& word : words_)
+        line += " " + for_shell(word);
+    return line + " --depth-range=" + with_digits(range.near, 10) + "," +
+           with_digits(range.far, 10) + " --sheet " + for_shell(sheet) + " -o " + for_shell(file);
+}
+
+std::string PictureInput::words(const PlacementSettings& settings, const FrameMetadata& frame) const
+{
+    if (!frame.placement)
+        return "";
+    const std::string file = name() + (settings.panel ? "-on-panel" : "-on-sheet");
+    return command(frame, file + ".json", file + ".png");
+}
+
+SavedPlacement PictureInput::save(const PlacementSettings&, const FrameMetadata& frame,
+                                  const std::string& picture) const
+{
+    const std::string file = std::filesystem::path(picture).replace_extension(".json").string(),
+                      line = command(frame, file, picture);
+    write_file(file, to_json(print_geometry(frame)));
+    return {file, line};
+}
+
+} // namespace integral
