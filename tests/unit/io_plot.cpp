@@ -123,6 +123,10 @@ BOOST_AUTO_TEST_CASE(logarithmic_axes_have_decades)
     BOOST_TEST(labels(make_scale(axis(true), {1e-9, 1e9}, 8)) ==
                "10^\u22129 10^\u22126 0.001 1 1000 10^6 10^9");
     BOOST_TEST(labels(make_scale(axis(true), {3, 4}, 12)) == "2 3 4 5");
+    // Ticks are the numbers that their labels are, to the last bit.
+    for (const PlotTick& tick : make_scale(axis(true), {0.1, 0.9}, 40).ticks)
+        if (!tick.label.empty() && tick.exponent.empty())
+            BOOST_TEST(tick.value == std::stod(tick.label));
     // Values that a logarithmic axis cannot show do not count.
     BOOST_TEST(labels(make_scale(axis(true), {-5, 0, 1, 10, nan_value}, 8)) == "1 2 5 10");
 }

@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(pixels_are_filled_in_between_those_of_their_own_lens)
         for (int y = 0; y < 36; ++y)
             for (int x = 0; x < 48; ++x) {
                 const float light = light_of(place_of(*draft.metadata, x, y));
-                store_pixel(draft.image, x, y, {light, light, light});
+                store_pixel(draft.image, x, y, {light, 0.5f * light, 0.25f * light});
             }
         BOOST_TEST_REQUIRE(is_draft(draft));
         const auto finer = with_final_pixels(draft);
@@ -73,7 +73,10 @@ BOOST_AUTO_TEST_CASE(pixels_are_filled_in_between_those_of_their_own_lens)
         for (int y = 3; y < 105; ++y)
             for (int x = 0; x < 144; ++x) {
                 const Place place = place_of(*finer->metadata, x, y);
-                const double light = stored_pixel(finer->image, x, y).r, expected = light_of(place);
+                const Colour colour = stored_pixel(finer->image, x, y);
+                const double light = colour.r, expected = light_of(place);
+                BOOST_TEST(std::fabs(colour.g - 0.5 * light) < 1e-6);
+                BOOST_TEST(std::fabs(colour.b - 0.25 * light) < 1e-6);
                 // At a lens's edge the light of its outermost pixels continues; other lenses' light
                 // differs by at least 0.4.
                 BOOST_TEST(std::fabs(light - expected) < 0.1 * 0.7,
