@@ -74,8 +74,7 @@ void IntegralGrammar::End(Camera& camera)
     if (camera.Type == ORTHOGRAPHIC_CAMERA)
     {
         if (statement.parameters.fit)
-            parser.Warning(0, "Integral camera: no fit: an orthographic camera has no eye, and the "
-                              "scene keeps its depth.");
+            Warn_Of_No_Eye();
         statement.parameters.fit.reset();
         statement.orthographic = statement.parameters.move_eye = true;
         camera.Type = PERSPECTIVE_CAMERA;

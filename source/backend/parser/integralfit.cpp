@@ -85,7 +85,12 @@ void IntegralGrammar::Fit_Depth(Camera& camera, const integral::IntegralCamera& 
                                                                   : std::atof(found->second.c_str());
     };
     const std::optional<double> option = parser.sceneData->integral->fit;
-    const double budgets = option.value_or(statement.parameters.fit.value_or(0));
+    double budgets = option.value_or(statement.parameters.fit.value_or(0));
+    if (budgets > 0 && statement.orthographic)
+    {
+        Warn_Of_No_Eye();
+        budgets = 0;
+    }
     const std::optional<double> budget = integral::seen_budget(pov_base::Integral_Geometry(print));
     if (!budget)
     {
@@ -95,7 +100,7 @@ void IntegralGrammar::Fit_Depth(Camera& camera, const integral::IntegralCamera& 
         return;
     }
     if (!(budgets > 0))
-        return Warn_Of_Depth(print, distances, beyond * *budget);
+        return Warn_Of_Depth(print, distances, beyond * *budget, statement.orthographic);
     statement.parameters.fit = budgets;
     const std::vector<std::string> errors = integral::find_errors(statement.parameters);
     if (!errors.empty())
@@ -139,9 +144,17 @@ void IntegralGrammar::Fit_Depth(Camera& camera, const integral::IntegralCamera& 
                    percent(fit), percent(before));
 }
 
+/// Warns that an orthographic camera's scene is not fitted.
+void IntegralGrammar::Warn_Of_No_Eye()
+{
+    parser.Warning(0, "Integral camera: no fit: an orthographic camera has no eye, and the scene keeps "
+                      "its depth.");
+}
+
 /// `reach`: depth on either side of the sheet at which half of its resolution is left, mm.
 void IntegralGrammar::Warn_Of_Depth(const integral::IntegralCamera& optics,
-                                    const std::vector<double>& distances, double reach)
+                                    const std::vector<double>& distances, double reach,
+                                    bool orthographic)
 {
     std::vector<double> surfaces;
     std::copy_if(distances.begin(), distances.end(), std::back_inserter(surfaces),
@@ -151,9 +164,10 @@ void IntegralGrammar::Warn_Of_Depth(const integral::IntegralCamera& optics,
     if (!surfaces.empty() && within < 0.5)
         parser.Warning(0,
                        "Integral camera: %.0f%% of the picture's surfaces lie farther from the sheet than "
-                       "%.3g mm, twice its depth budget:\nthey are seen blurred or double. "
-                       "Integral_Fit=on chooses sheet_distance and parallax.",
-                       100 * (1 - within), reach);
+                       "%.3g mm, twice its depth budget:\nthey are seen blurred or double. %s",
+                       100 * (1 - within), reach,
+                       orthographic ? "look_at places the sheet; a perspective camera can be fitted."
+                                    : "Integral_Fit=on chooses sheet_distance and parallax.");
 }
 
 }

@@ -93,8 +93,9 @@ private:
     std::shared_ptr<const integral::IntegralCamera> Print_Optics(const Camera& camera);
     void Fit_Depth(Camera& camera, const integral::IntegralCamera& print,
                    const std::vector<double>& distances);
+    void Warn_Of_No_Eye();
     void Warn_Of_Depth(const integral::IntegralCamera& optics, const std::vector<double>& distances,
-                       double reach);
+                       double reach, bool orthographic);
     void Warn(const Camera& camera, const std::vector<double>& distances);
     void Warn_Of_Shape(const Camera& camera);
     void Warn_Of_Scale(const integral::IntegralCamera& optics);

@@ -248,8 +248,9 @@ void IntegralGrammar::Warn_Of_Place(const Camera& camera, std::vector<double> di
                        "Integral camera: no surface is near the sheet, which is %.4g scene units "
                        "from the camera,\nas far as direction is long: most of them are near %.4g, "
                        "and none will be sharp. look_at, or\n"
-                       "sheet_distance %s, places the sheet there; Integral_Fit=on finds the place.",
-                       k * own, middle, integral::with_digits(middle, 3).c_str());
+                       "sheet_distance %s, places the sheet there%s.",
+                       k * own, middle, integral::with_digits(middle, 3).c_str(),
+                       statement.orthographic ? "" : "; Integral_Fit=on finds the place");
     }
 }
 
