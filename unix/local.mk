@@ -69,4 +69,5 @@ distclean-local:
 
 EXTRA_DIST += unix/upstream.pin unix/series.upstream unix/series.camera unix/queue.sh \
   unix/fetch-upstream unix/apt-source unix/assemble unix/edits unix/refresh unix/check-patches \
-  unix/lint-patches unix/make-settings unix/build-povray unix/stage-share unix/packages unix/packages-test source vfe
+  unix/lint-patches unix/make-settings unix/build-povray unix/stage-share unix/packages unix/packages-test \
+  unix/texts-as-strings source vfe
