@@ -6,7 +6,9 @@
 #   browse URL                          opens a page
 #   evaluate 'EXPRESSION'               prints the value of JavaScript; of a promise, its value when it has one
 #   ask METHOD '{"parameters": 1}'      any command; its answer is in $answer
-#   window WIDTH HEIGHT [MOBILE]        the page's size; MOBILE: true or false
+#   window WIDTH HEIGHT [MOBILE [SCALE]]
+#                                       the page's size; MOBILE: true or false; SCALE: device pixels for each
+#                                       pixel of the page (1), fewer where WebGL's pictures do not matter
 #   screenshot FILE.png                 of that size
 #   browser_ends
 
@@ -65,7 +67,7 @@ evaluate() {
 window() {
     browser_clip="{\"x\": 0, \"y\": 0, \"width\": $1, \"height\": $2, \"scale\": 1}"
     ask Emulation.setDeviceMetricsOverride \
-        "{\"width\": $1, \"height\": $2, \"deviceScaleFactor\": 1, \"mobile\": ${3:-false}}"
+        "{\"width\": $1, \"height\": $2, \"deviceScaleFactor\": ${4:-1}, \"mobile\": ${3:-false}}"
 }
 
 screenshot() {
