@@ -199,26 +199,29 @@ int main(int count, char** arguments)
     const double paper = numbers("paper", {words.count("flat") ? 0.9 : 0.05})[0];
     std::vector<float> linear(bytes.size());
     constexpr int points = 6;
+    const float outside[3] = {float(paper), float(paper), float(paper)};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            double sums[3] = {0, 0, 0};
-            for (int j = 0; j < points; ++j)
+            float sums[3] = {0, 0, 0};
+            for (int j = 0; j < points; ++j) {
+                // Right and up of the middle, by the page's pixels, turned back clockwise.
+                const double up = -(y + (j + 0.5) / points - 0.5 * height) * down;
                 for (int i = 0; i < points; ++i) {
-                    // Right and up of the middle, by the page's pixels, turned back clockwise.
                     const double right = (x + (i + 0.5) / points - 0.5 * width) * across,
-                                 up = -(y + (j + 0.5) / points - 0.5 * height) * down;
-                    const int column = int(std::floor(at[0] + c * right + s * up)),
-                              row = int(std::floor(at[1] - (-s * right + c * up)));
-                    const bool inside = column >= 0 && row >= 0 && column < page.width &&
-                                        row < page.height;
+                                 to_right = at[0] + c * right + s * up,
+                                 to_below = at[1] - (-s * right + c * up);
+                    const bool inside = to_right >= 0 && to_below >= 0 && to_right < page.width &&
+                                        to_below < page.height;
+                    const float* from = inside ? &page.linear[(std::size_t(to_below) * page.width +
+                                                               std::size_t(to_right)) *
+                                                              3]
+                                               : outside;
                     for (int k = 0; k < 3; ++k)
-                        sums[k] += inside
-                                       ? page.linear[(std::size_t(row) * page.width + column) * 3 +
-                                                     k]
-                                       : paper;
+                        sums[k] += from[k];
                 }
+            }
             for (int k = 0; k < 3; ++k)
-                linear[(std::size_t(y) * width + x) * 3 + k] = float(sums[k] / (points * points));
+                linear[(std::size_t(y) * width + x) * 3 + k] = sums[k] / (points * points);
         }
     const double blurred = numbers("blur", {0})[0];
     if (blurred > 0)
