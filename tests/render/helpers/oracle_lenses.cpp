@@ -31,7 +31,7 @@ Real lens_distance(const Description& d, Point2 f, Lens lens)
     const Real dx = q[0] - f[0], dy = q[1] - f[1], angle = d.slant * pi / 180;
     if (d.arrangement == "lenticular")
         return std::fabs(dx * std::cos(angle) + dy * std::sin(angle));
-    return std::hypot(dx, dy);
+    return std::sqrt(dx * dx + dy * dy);
 }
 
 void each_lens(const Description& d, Point2 f, Real reach, const std::function<void(Lens)>& visit)
