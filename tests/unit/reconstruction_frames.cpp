@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(lines_are_stored)
     BOOST_TEST(frame.samples.pixel(20, 20).more != nullptr);
 }
 
-BOOST_AUTO_TEST_CASE(fine_texture_becomes_clear)
+BOOST_AUTO_TEST_CASE(fine_texture_becomes_clear, *boost::unit_test::label("many_pixels"))
 {
     // Squares about as wide as a beam: nothing but other pixels' samples helps.
     const struct {

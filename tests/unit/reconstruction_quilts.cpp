@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(places_are_found_in_other_views)
     }
 }
 
-BOOST_AUTO_TEST_CASE(fine_texture_of_quilts_becomes_clear)
+BOOST_AUTO_TEST_CASE(fine_texture_of_quilts_becomes_clear, *boost::unit_test::label("many_pixels"))
 {
     // Squares little wider than a pixel: only other views' samples help.
     for (const auto& one : sheets)

@@ -80,7 +80,7 @@ void check_frame(const Frame& frame)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(holds_the_frame_at_8_bits)
+BOOST_AUTO_TEST_CASE(holds_the_frame_at_8_bits, *boost::unit_test::label("many_pixels"))
 {
     for (int width = 1; width < 12; ++width) { // every remainder of base64's three bytes
         check_frame(noise<std::uint8_t>(width, 5, 3, {}));

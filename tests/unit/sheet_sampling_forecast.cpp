@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(fine_detail_is_all_error_for_one_ray_and_noise_for_many)
                    setting.rays());
 }
 
-BOOST_AUTO_TEST_CASE(forecast_agrees_with_random_pictures)
+BOOST_AUTO_TEST_CASE(forecast_agrees_with_random_pictures, *boost::unit_test::label("many_pixels"))
 {
     const double detail = 5;
     for (const Arrangement kind :
