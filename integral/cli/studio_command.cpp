@@ -21,6 +21,7 @@ struct StudioOptions : CommonOptions {
     std::optional<std::string> start, panel, dpi, print, distance, views;
     DepthSource depth;
     ViewOrderOptions given_views;
+    FitOptions fit;
     std::optional<int> port;
     bool no_browser = false;
 };
@@ -33,15 +34,16 @@ void declare(options::options_description& all, StudioOptions& o)
         "a panel, as integral lcd has it, in place of a sheet and a printer");
     add(all, "dpi", o.dpi, "D", "of the printer (default 720)");
     add(all, "print", o.print, "WxH",
-        "size of the picture in mm (default: 150 on the longer side, of the scene's shape)");
+        "size of the picture in mm (default: 150 on the longer side, of the input's shape)");
     add(all, "distance", o.distance, "MM", "from the viewer to the sheet (default 400)");
     add(all, "depth", o.depth.depth, "HOW",
         "where the depth of a picture is, as in integral views: beside, inside, FILE or measured "
         "(default: by the picture)");
     add(all, "depth-range", o.depth.range, "WHITE,BLACK",
         "its depths to begin with, as in integral views");
-    add(all, "views", o.views, "CxR", "views of a quilt whose name does not tell, across and up");
+    add(all, "views", o.views, "CxR", "views of a quilt whose name has no number, across and up");
     declare(all, o.given_views);
+    declare(all, o.fit);
     add(all, "port", o.port, "PORT", "the port of the page (default: a free one)");
     add(all, "no-browser", o.no_browser, "print the page's address and do not open a browser");
 }
@@ -95,26 +97,41 @@ std::unique_ptr<StudioInput> scene_input(const StudioOptions& o)
                     {"depth-range", o.depth.range},
                     {"views", o.views},
                     {"aspect", o.given_views.given_aspect},
+                    {"fit", o.fit.given},
                     {"right-to-left", o.given_views.right_to_left}},
                    "is for pictures, not for a scene");
     return std::make_unique<SceneInput>(
         o.inputs[0], std::vector<std::string>(o.inputs.begin() + 1, o.inputs.end()));
 }
 
-/// Pictures with depth, to begin with as integral views puts them on the first sheet.
-std::unique_ptr<StudioInput> picture_input(const StudioOptions& o, PlacementSettings first)
+/// Throws UsageError for inputs and a depth that are not those of pictures with depth.
+void check_pictures(const StudioOptions& o, const std::string& depth)
 {
-    const std::string depth = depth_in_force(o.inputs, o.depth);
+    for (const std::string& input : o.inputs)
+        if (input[0] == '+')
+            throw UsageError(input + ": it is a word for a scene; a picture takes none");
+    if (depth == "none")
+        throw UsageError("--depth none: the studio needs depth; leave it out");
+    if (depth != "measured" && o.inputs.size() == 2)
+        throw UsageError("--depth " + depth + ": the depth of a pair is measured; leave it out");
     if (depth == "measured" && o.inputs.size() == 1 && !o.views && is_plain_picture(o.inputs[0]))
         throw UsageError(o.inputs[0] +
                          ": it is a picture without depth; give --depth FILE, a grey picture or "
                          ".pfm, or a second picture, from another eye");
+}
+
+/// Pictures with depth, to begin with as integral views puts them on the first sheet.
+std::unique_ptr<StudioInput> picture_input(const StudioOptions& o, PlacementSettings first)
+{
+    const std::string depth = depth_in_force(o.inputs, o.depth);
+    check_pictures(o, depth);
     if (!(first.print.x > 0))
         first.print = print_of_aspect(1);
     const FrameMetadata geometry = frame_of_settings(first, nullptr);
     ReliefRequest request;
     request.size = size_of(geometry.film);
     request.distance = geometry.aperture.distance;
+    request.fit = o.fit.value();
     request.tell = [](const std::string& what) { say("studio", what); };
     request.input.aspect = o.given_views.aspect();
     request.input.right_to_left = o.given_views.right_to_left;
@@ -128,7 +145,9 @@ std::unique_ptr<StudioInput> picture_input(const StudioOptions& o, PlacementSett
         words.insert(words.end(), {"--aspect", *o.given_views.given_aspect});
     if (o.given_views.right_to_left)
         words.push_back("--right-to-left");
-    if (o.views || quilt_in_name(o.inputs[0])) {
+    if (o.fit.given)
+        words.insert(words.end(), {"--fit", *o.fit.given});
+    if (o.views || o.inputs.size() > 2 || quilt_in_name(o.inputs[0])) {
         request.input.zone = GivenZone{
             {viewing_zone(geometry.sheet, geometry.aperture), request.distance},
             request.size.x,

@@ -93,11 +93,11 @@ Relief::Relief(std::vector<ReliefPicture> pictures, std::vector<ReliefMap> maps,
                Vec2 size)
     : pictures_(std::move(pictures)), maps_(std::move(maps)), distance_(distance), size_(size)
 {
-    take_stock();
+    update_extents();
 }
 
-/// Sets what follows from the pictures and maps.
-void Relief::take_stock()
+/// Derives the parallax that maps have, the eyes' rectangle and the pictures' spacing.
+void Relief::update_extents()
 {
     least_ = HUGE_VALF;
     greatest_ = -HUGE_VALF;
@@ -156,7 +156,7 @@ void Relief::move(ParallaxSpan to)
         for (float& p : map.parallax)
             p = float(to.near + span * p);
     }
-    take_stock();
+    update_extents();
 }
 
 ParallaxSpan Relief::span() const

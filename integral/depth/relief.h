@@ -102,7 +102,7 @@ private:
     Colour light_at(const ReliefMap& map, double parallax, const ReliefLine& line) const;
     Colour light_beside(const ReliefMap& map, const Meeting& hidden, const ReliefLine& line) const;
     bool is_between_eyes(Vec2 eye) const;
-    void take_stock();
+    void update_extents();
 
     std::vector<ReliefPicture> pictures_;
     std::vector<ReliefMap> maps_;

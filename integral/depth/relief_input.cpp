@@ -165,7 +165,7 @@ MapOfFile map_of_file(const ReliefRequest& request, const DecodedDepths* decoded
     const FittedPicture on_picture = fitted(double(map.width) / map.height, size.x / size.y,
                                             request.fit);
     if (on_picture.differs())
-        request.tell(path + ": " + fit_text(on_picture, "the picture", "no depth"));
+        request.tell(path + ": " + fit_text(on_picture, "the picture", "its edges' depth"));
     map.places = places_over({on_picture.size.x * size.x, on_picture.size.y * size.y}, map.width,
                              map.height);
     // The depth at a map's edge extends over the picture beyond it.
@@ -274,14 +274,19 @@ ReliefInput read_relief(const std::vector<std::string>& inputs, const ReliefRequ
 
 void place(ReliefInput& input, const std::string& name, const ReliefRequest& request)
 {
+    if (input.unit == DepthUnit::ends || (input.unit == DepthUnit::mm && !request.ends))
+        return;
+    // The picture is as large as the request says, for an eye at the request's distance.
     Relief& relief = input.relief;
-    if (input.unit == DepthUnit::mm && request.ends) {
-        relief.scale_to(request.size, request.fit);
-        relief.fit(requested_span(name, request, relief.distance()));
-    }
-    if (input.unit == DepthUnit::none || input.unit == DepthUnit::pair)
-        relief.move(requested_span(request.depth_file.empty() ? name : request.depth_file, request,
-                                   relief.distance()));
+    const double across = request.size.x / relief.size().x, up = request.size.y / relief.size().y;
+    relief.scale(request.fit == Fit::cover ? std::max(across, up) : std::min(across, up));
+    relief.set_distance(request.distance);
+    const ParallaxSpan span = requested_span(request.depth_file.empty() ? name : request.depth_file,
+                                             request, request.distance);
+    if (input.unit == DepthUnit::mm)
+        relief.fit(span);
+    else
+        relief.move(span);
     if (input.unit == DepthUnit::pair)
         relief.crop_to_common();
 }

@@ -79,7 +79,8 @@ ReliefInput read_unplaced_relief(const std::vector<std::string>& inputs,
                                  const Progress& progress);
 
 /// Moves the relief's depths to request.ends or, if they are not in mm, within request.limit, which
-/// is reported to the user. Throws std::invalid_argument.
+/// is reported to the user, on a picture of request.size that is seen from request.distance. Depths
+/// in mm without request.ends stay as they are. Throws std::invalid_argument.
 void place(ReliefInput& input, const std::string& name, const ReliefRequest& request);
 
 /// Whether a file is one picture: no frame, also with the geometry in the file `sheet`, if that is

@@ -158,7 +158,7 @@ ParallaxSpan requested_span(const std::string& path, const ReliefRequest& reques
     if (request.ends) {
         const ParallaxSpan range = range_of(*request.ends);
         if (!(std::isfinite(range.near) && std::isfinite(range.far)))
-            throw std::invalid_argument("--depth-range: white or black is behind the eye");
+            throw std::invalid_argument("--depth-range: one of its depths is behind the eye");
         return range;
     }
     if (!(request.limit > 0))

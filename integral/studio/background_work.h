@@ -6,6 +6,7 @@
 #include "integral/base/parallel.h"
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <future>
 

@@ -82,6 +82,8 @@ PictureInput::PictureInput(const std::vector<std::string>& inputs,
         throw std::invalid_argument("views with grey depths have no place for another sheet; give "
                                     "a .pfm file, or --depth measured");
     aspect_ = input.relief.size().x / input.relief.size().y;
+    has_eyes_ = input.unit == DepthUnit::pair ||
+                (input.unit == DepthUnit::mm && request.depth_file.empty());
 }
 
 std::string PictureInput::name() const { return std::filesystem::path(inputs_[0]).stem().string(); }
@@ -96,26 +98,19 @@ std::vector<std::string> PictureInput::files() const
 
 void PictureInput::forget() { relief_.reset(); }
 
-/// The inputs' relief, placed as requested. Reads the inputs, unless they have been read for that
-/// size and distance. Depth that is measured in views is the same for all.
+/// The inputs' relief, placed as requested. Reads the inputs, unless they have been read. A file of
+/// depths in mm is read anew for another distance, as it gives another parallax.
 ReliefInput PictureInput::placed(const ReliefRequest& request, const Progress& progress)
 {
-    const bool is_measured = request.depth_file.empty() && request.own == OwnDepth::none;
-    if (!relief_ || (!is_measured && (length(read_size_ - request.size) > 0 ||
-                                      read_distance_ != request.distance))) {
+    const bool is_in_mm = relief_ && relief_->unit == DepthUnit::mm && !request.depth_file.empty();
+    if (!relief_ || (is_in_mm && read_distance_ != request.distance)) {
         relief_.reset();
         relief_ = read_unplaced_relief(inputs_, request, 0, progress);
-        read_size_ = request.size;
         read_distance_ = request.distance;
         if (request.distance == request_.distance)
             set_ends();
     }
     ReliefInput input = *relief_;
-    if (input.unit == DepthUnit::pair) { // as if it had been read for this size and distance
-        const Vec2 size = input.relief.size();
-        input.relief.scale(std::min(request.size.x / size.x, request.size.y / size.y));
-        input.relief.set_distance(request.distance);
-    }
     ReliefRequest quiet = request; // the page says where depths are put
     quiet.tell = request_.tell;
     place(input, inputs_[0], quiet);
@@ -126,7 +121,7 @@ void PictureInput::set_ends()
 {
     const bool are_given = relief_->unit != DepthUnit::mm || request_.ends;
     const std::lock_guard lock(mutex_);
-    ends_ = are_given ? requested_span(inputs_[0], request_, relief_->relief.distance())
+    ends_ = are_given ? requested_span(inputs_[0], request_, request_.distance)
                       : relief_->relief.span();
 }
 
@@ -181,12 +176,17 @@ DepthSpan PictureInput::depth_range(const FrameMetadata& frame) const
         // Nearness is linear in parallax, and so is a relief's parallax in nearness (optics.md 8).
         const double parallax = frame.parallax->factor *
                                 (1 - frame.placement->sheet_distance * (1 - p) / request_.distance);
-        if (!(parallax < 1))
-            throw std::invalid_argument("the farthest depth would be seen beyond infinity; choose "
-                                        "a smaller parallax");
-        return std::round(1e4 * frame.aperture.distance * parallax / (1 - parallax)) / 1e4;
+        if (parallax > 1 + 1e-6)
+            throw std::invalid_argument("a depth would be seen beyond infinity; choose a smaller "
+                                        "parallax");
+        const double depth = frame.aperture.distance * parallax / std::max(1e-6, 1 - parallax);
+        return std::round(1e4 * depth) / 1e4 + 0.0; // no -0
     };
-    return {seen(ends.near), seen(ends.far)};
+    const DepthSpan range{seen(ends.near), seen(ends.far)};
+    if (has_eyes_ && !(range.near < range.far))
+        throw std::invalid_argument("so small a parallax leaves no depth to pictures from several "
+                                    "eyes; choose a larger one");
+    return range;
 }
 
 Making PictureInput::draft(const PlacementSettings&, const FrameMetadata& frame, int draft,
@@ -219,6 +219,8 @@ Making PictureInput::print(const PlacementSettings& settings, const FrameMetadat
 std::string PictureInput::command(const FrameMetadata& frame, const std::string& sheet,
                                   const std::string& file) const
 {
+    if (!frame.placement)
+        return "integral views --to-frame";
     const DepthSpan range = depth_range(frame);
     std::string line = "integral views --to-frame";
     for (const std::string& word : words_)
@@ -229,17 +231,22 @@ std::string PictureInput::command(const FrameMetadata& frame, const std::string&
 
 std::string PictureInput::words(const PlacementSettings& settings, const FrameMetadata& frame) const
 {
-    if (!frame.placement)
-        return "";
     const std::string file = name() + (settings.panel ? "-on-panel" : "-on-sheet");
-    return command(frame, file + ".json", file + ".png");
+    try {
+        return command(frame, file + ".json", file + ".png");
+    } catch (const std::invalid_argument& error) {
+        return std::string("integral views: ") + error.what(); // the page's other figures stay
+    }
 }
 
-SavedPlacement PictureInput::save(const PlacementSettings&, const FrameMetadata& frame,
+SavedPlacement PictureInput::save(const PlacementSettings& settings, const FrameMetadata& frame,
                                   const std::string& picture) const
 {
-    const std::string file = std::filesystem::path(picture).replace_extension(".json").string(),
-                      line = command(frame, file, picture);
+    const std::string file = std::filesystem::path(picture).replace_extension(".json").string();
+    std::string line = command(frame, file, picture);
+    if (settings.panel)
+        line += " && integral lcd " + for_shell(picture) + " --panel " +
+                for_shell(settings.panel->name) + " --show auto";
     write_file(file, to_json(print_geometry(frame)));
     return {file, line};
 }

@@ -44,14 +44,14 @@ private:
                         const std::string& file) const;
 
     const std::vector<std::string> inputs_, words_;
-    ReliefRequest request_; ///< whose notices nobody takes
+    ReliefRequest request_; ///< without notices
     double aspect_ = 1;
-    Probe probe_; ///< the one made last
+    bool has_eyes_ = false; ///< the pictures are from several eyes
 
-    // Used by one at a time.
+    // Used by one thread at a time.
     std::optional<ReliefInput> relief_; ///< before place(); empty: not read
-    Vec2 read_size_;                    ///< request.size and request.distance of relief_
-    double read_distance_ = 0;
+    double read_distance_ = 0;          ///< request.distance of relief_
+    Probe probe_;                       ///< the one made last
 
     mutable std::mutex mutex_;
     ParallaxSpan ends_; ///< in the scene, of the depths that place() puts at request.ends

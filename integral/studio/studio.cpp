@@ -56,6 +56,12 @@ ServerAnswer bytes_answer(std::string bytes)
 
 ServerAnswer json_answer(std::string text) { return {200, std::move(text), "application/json"}; }
 
+/// A document on one line. Bytes of files' names that are not UTF-8 become U+FFFD.
+std::string text_of(const Json& document)
+{
+    return document.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 /// Whether a frame has a panel's pixels and lenses.
 bool is_of_panel(const FrameMetadata& made, const Panel& panel)
 {
@@ -148,7 +154,7 @@ std::string Studio::figures(const std::string& text) const
     Json figures = settings_figures(settings, depths);
     figures["words"] = input_.words(settings, frame_of_settings(settings, depths));
     figures["settings"] = json_of(settings);
-    return figures.dump();
+    return text_of(figures);
 }
 
 /// Writes the file that the print is made with.
@@ -160,7 +166,7 @@ std::string Studio::save(const PlacementSettings& settings) const
                                     "shown");
     const SavedPlacement saved = input_.save(settings, frame_of_settings(settings, &probe->depths),
                                              print_name(settings));
-    return Json{{"file", saved.file}, {"command", saved.command}}.dump();
+    return text_of({{"file", saved.file}, {"command", saved.command}});
 }
 
 /// Shows the print on the panel. Panels are known, or the one that the user named at the start: no
@@ -212,7 +218,7 @@ std::string Studio::page(const std::string& paper) const
         command += " --paper " + paper;
     }
     FramePrint(frame, settings).write(file);
-    return Json{{"file", file}, {"command", command}}.dump();
+    return text_of({{"file", file}, {"command", command}});
 }
 
 } // namespace integral

@@ -262,11 +262,12 @@ void StudioRenders::watch_files()
     files_ = files;
     if (is_first || files.empty())
         return;
-    const std::lock_guard lock(mutex_);
-    if (job_ && job_->print && !next_print_)
-        next_print_ = job_->print;
-    job_.reset();
+    const std::optional<PrintRequest> print = job_ ? job_->print : std::nullopt;
+    job_.reset(); // waits for its end, without the lock
     input_.forget();
+    const std::lock_guard lock(mutex_);
+    if (print && !next_print_)
+        next_print_ = print;
     next_probe_ = first_probe(probe_        ? probe_->request.aspect
                               : next_probe_ ? next_probe_->aspect
                                             : 4.0 / 3);
