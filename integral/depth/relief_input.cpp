@@ -113,8 +113,12 @@ std::vector<ReliefMap> maps_of_depth_frame(const DepthInput& input, const std::s
 }
 
 /// Makes a map larger, centred, up to a size in pixels: each new pixel repeats the nearest old one.
+/// Maps of a shape so different that this takes many times their memory stay as they are.
 void extend(ReliefMap& map, int width, int height)
 {
+    constexpr double most = 16; // times the map's own pixels
+    if (double(width) * height > most * map.width * map.height)
+        return;
     const int left = (width - map.width) / 2, above = (height - map.height) / 2;
     std::vector<float> parallax;
     for (int y = 0; y < height; ++y)
