@@ -202,6 +202,12 @@ BOOST_AUTO_TEST_CASE(exposures_of_dark_pictures)
     black.add(NAN);
     BOOST_TEST(black.exposures().count == 1);
     BOOST_TEST(black.exposures().start == 0);
+    // Two of five are black: they count for the median.
+    FlipExposureMeter partly;
+    for (const float luminance : {0.0f, 0.0f, 0.5f, 8.0f, 64.0f})
+        partly.add(luminance);
+    BOOST_TEST(partly.exposures().stop - partly.exposures().start == 7,
+               boost::test_tools::tolerance(1e-4));
     // More than half is black: the median of the other pixels counts.
     FlipExposureMeter mostly;
     for (const float luminance : {0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 4.0f, 16.0f})
