@@ -68,9 +68,8 @@ void declare(options::options_description& all, LcdOptions& o)
         "behind the panel); or none: show a pair as two views");
     add(all, "depth-range", o.depth.range, "WHITE,BLACK",
         "depths, mm behind the panel, of white and black in grey depths, or else of the nearest "
-        "and "
-        "the farthest twentieth (default of greys and pairs: twice the panel's depth budget in "
-        "front and behind)");
+        "and the farthest twentieth (default of greys and pairs: twice the panel's depth budget "
+        "in front and behind)");
     declare(all, o.given_views);
     declare(all, o.fit);
     all.add_options()("blend", fills(o.blend, "WAY")->default_value(o.blend),

@@ -104,7 +104,7 @@ std::unique_ptr<StudioInput> scene_input(const StudioOptions& o)
         o.inputs[0], std::vector<std::string>(o.inputs.begin() + 1, o.inputs.end()));
 }
 
-/// Throws UsageError for inputs and a depth that are not those of pictures with depth.
+/// Throws UsageError if the inputs or the depth cannot be those of pictures with depth.
 void check_pictures(const StudioOptions& o, const std::string& depth)
 {
     for (const std::string& input : o.inputs)

@@ -109,7 +109,7 @@ void Relief::update_extents()
             }
     greatest_ += 1e-6f + 1e-5f * (greatest_ - least_); // so that the farthest surface can be met
     if (!(least_ <= greatest_))
-        throw std::invalid_argument("the map says no depth anywhere");
+        throw std::invalid_argument("the map contains no depth");
     std::vector<double> across, up;
     for (const ReliefPicture& picture : pictures_) {
         across.push_back(picture.eye.x);
@@ -129,10 +129,8 @@ void Relief::update_extents()
 
 void Relief::scale_to(Vec2 rectangle, Fit how)
 {
-    const double across = rectangle.x / size_.x, up = rectangle.y / size_.y;
-    const bool has_bars = how == Fit::contain &&
-                          fitted(size_.x / size_.y, rectangle.x / rectangle.y, how).differs();
-    scale(has_bars ? std::min(across, up) : std::max(across, up));
+    const bool fills = !fitted(size_.x / size_.y, rectangle.x / rectangle.y, how).differs();
+    scale(enlargement(size_, rectangle, fills ? Fit::cover : how));
 }
 
 void Relief::move(ParallaxSpan to)

@@ -194,6 +194,14 @@ std::optional<DecodedDepths> decoded_depths(const std::string& path)
     }
 }
 
+/// Whether a file's name or record says that it is a quilt, a view or a frame, also with the
+/// geometry in the file `sheet`, if that is not "". Reads no pixels. Throws InputError.
+bool is_frame_or_views(const std::string& path, const std::string& sheet = "")
+{
+    return quilt_in_name(path) || ViewsReader(path, false).head().metadata ||
+           FrameReader(path, sheet).frame().metadata;
+}
+
 bool is_photograph(const std::vector<std::string>& inputs, const ReliefRequest& request)
 {
     return inputs.size() == 1 && !request.depth_file.empty() && !request.input.grid &&
@@ -244,8 +252,7 @@ void need_scale(const ViewSet& views)
 
 bool is_plain_picture(const std::string& path, const std::string& sheet)
 {
-    return !is_list_of_views(path) && !quilt_in_name(path) &&
-           !FrameReader(path, sheet).frame().metadata && !read_views(path, false).metadata;
+    return !is_list_of_views(path) && !is_frame_or_views(path, sheet);
 }
 
 bool is_pair_of_files(const std::vector<std::string>& inputs)
@@ -253,8 +260,7 @@ bool is_pair_of_files(const std::vector<std::string>& inputs)
     if (inputs.size() == 1)
         return is_list_of_views(inputs[0]) && read_list_of_views(inputs[0], 3).size() == 2;
     const auto is_no_view = [](const std::string& input) {
-        return quilt_in_name(input) || ViewsReader(input, false).head().metadata ||
-               FrameReader(input).frame().metadata || embedded_depth(input);
+        return is_frame_or_views(input) || embedded_depth(input);
     };
     return inputs.size() == 2 && std::none_of(inputs.begin(), inputs.end(), is_no_view);
 }
@@ -282,8 +288,7 @@ void place(ReliefInput& input, const std::string& name, const ReliefRequest& req
         return;
     // The picture is as large as the request says, for an eye at the request's distance.
     Relief& relief = input.relief;
-    const double across = request.size.x / relief.size().x, up = request.size.y / relief.size().y;
-    relief.scale(request.fit == Fit::cover ? std::max(across, up) : std::min(across, up));
+    relief.scale(enlargement(relief.size(), request.size, request.fit));
     relief.set_distance(request.distance);
     const ParallaxSpan span = requested_span(request.depth_file.empty() ? name : request.depth_file,
                                              request, request.distance);

@@ -46,10 +46,10 @@ struct ReliefRequest {
     std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
-/// What a relief's depths are known in.
+/// Unit of a relief's depths.
 enum class DepthUnit {
     mm,
-    ends, ///< mm, of the greys of a view, from request.ends
+    ends, ///< mm: greys of a view, which request.ends has placed
     none, ///< greys: a parallax from 0 (white) to 1 (black)
     pair  ///< measured in a pair: nine tenths have a parallax from 0 to 1
 };

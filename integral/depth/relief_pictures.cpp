@@ -105,9 +105,9 @@ PixelPlaces places_over(Vec2 size, int width, int height)
 
 PictureRaster raster_of(const Image& picture, const ReliefRequest& request)
 {
-    const double across = request.size.x / picture.width, down = request.size.y / picture.height;
     PictureRaster raster;
-    raster.pixel = request.fit == Fit::cover ? std::max(across, down) : std::min(across, down);
+    raster.pixel = enlargement({double(picture.width), double(picture.height)}, request.size,
+                               request.fit);
     raster.size = {picture.width * raster.pixel, picture.height * raster.pixel};
     raster.factor = request.width > 0 ? reduction(picture, request.width) : 1;
     return raster;

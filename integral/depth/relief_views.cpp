@@ -16,48 +16,47 @@ int lines_one_way(double pixel, const Relief& relief)
     return std::clamp(int(std::ceil(pixel / relief.pixel() - 0.5)), 1, 3);
 }
 
-/// The pixels of one view.
-class EyeView {
-public:
-    /// `part`: the distance of the relief's own eyes, divided by this eye's.
-    EyeView(const Relief& relief, Vec2 eye, double part, Vec2 shown, PixelSize size)
-        : relief_(relief),
-          eye_(eye),
-          part_(part),
-          raster_{size.width, size.height, {shown.x / size.width, shown.y / size.height}},
-          across_(lines_one_way(raster_.pixel_pitch.x, relief)),
-          down_(lines_one_way(raster_.pixel_pitch.y, relief))
-    {
-    }
-
-    Colour pixel(int x, int y, ReliefFigures& figures) const
-    {
-        MeanSeen mean(across_ * down_, figures);
-        for (int k = 0; k < across_ * down_; ++k) {
-            const Vec2 place = film_from_pixel(
-                raster_, {x + (k % across_ + 0.5) / across_, y + (k / across_ + 0.5) / down_});
-            if (is_in_bar(place))
-                continue;
-            mean.add(relief_.along({place, place + part_ * (eye_ - place)}));
-        }
-        return mean.light();
-    }
-
-private:
-    bool is_in_bar(Vec2 place) const
-    {
-        return std::fabs(place.x) > 0.5 * relief_.size().x ||
-               std::fabs(place.y) > 0.5 * relief_.size().y;
-    }
-
-    const Relief& relief_;
-    Vec2 eye_;
-    double part_;
-    Film raster_;
-    int across_, down_;
-};
-
 } // namespace
+
+ReliefEyeView::ReliefEyeView(const Relief& relief, Vec2 eye, double part, Vec2 shown,
+                             PixelSize size)
+    : relief_(relief),
+      eye_(eye),
+      part_(part),
+      raster_{size.width, size.height, {shown.x / size.width, shown.y / size.height}},
+      across_(lines_one_way(raster_.pixel_pitch.x, relief)),
+      down_(lines_one_way(raster_.pixel_pitch.y, relief))
+{
+}
+
+Colour ReliefEyeView::pixel(int x, int y, ReliefFigures& figures, bool with_bars) const
+{
+    MeanSeen mean(across_ * down_, figures);
+    for (int k = 0; k < across_ * down_; ++k) {
+        const ReliefLine line = line_at(
+            {x + (k % across_ + 0.5) / across_, y + (k / across_ + 0.5) / down_});
+        if (!with_bars || !is_in_bar(line.place))
+            mean.add(relief_.along(line));
+    }
+    return mean.light();
+}
+
+double ReliefEyeView::parallax(int x, int y) const
+{
+    return relief_.along(line_at({x + 0.5, y + 0.5})).parallax;
+}
+
+ReliefLine ReliefEyeView::line_at(Vec2 pixel) const
+{
+    const Vec2 place = film_from_pixel(raster_, pixel);
+    return {place, place + part_ * (eye_ - place)};
+}
+
+bool ReliefEyeView::is_in_bar(Vec2 place) const
+{
+    return std::fabs(place.x) > 0.5 * relief_.size().x ||
+           std::fabs(place.y) > 0.5 * relief_.size().y;
+}
 
 ReliefViews views_of_relief(const Relief& relief, const EyeGrid& eyes, ViewGrid directions,
                             Vec2 shown, PixelSize size, const Image& form, int threads,
@@ -67,8 +66,8 @@ ReliefViews views_of_relief(const Relief& relief, const EyeGrid& eyes, ViewGrid 
     ReliefTally tally;
     for (int k = 0; k < directions.count(); ++k) {
         Image& view = made.views.emplace_back(blank_like(form, size.width, size.height));
-        const EyeView eye_view(relief, eye_of_view(eyes, directions, k),
-                               relief.distance() / eyes.distance, shown, size);
+        const ReliefEyeView eye_view(relief, eye_of_view(eyes, directions, k),
+                                     relief.distance() / eyes.distance, shown, size);
         const auto row = [&](int y) {
             ReliefFigures figures;
             for (int x = 0; x < size.width; ++x)

@@ -10,6 +10,31 @@
 
 namespace integral {
 
+/// What one eye sees of a relief, pixel by pixel.
+class ReliefEyeView {
+public:
+    /// `eye`: mm; `part`: the distance of the relief's own eyes, divided by this eye's; `shown`:
+    /// the rectangle around the middle of the image plane, mm, that `size` pixels cover. `relief`
+    /// must outlive this.
+    ReliefEyeView(const Relief& relief, Vec2 eye, double part, Vec2 shown, PixelSize size);
+
+    /// The pixel's mean light, of 1 to 3 lines of sight one way. `with_bars`: it is black outside
+    /// of the relief's pictures.
+    Colour pixel(int x, int y, ReliefFigures& figures, bool with_bars = true) const;
+    /// The parallax of the surface in the pixel's middle.
+    double parallax(int x, int y) const;
+
+private:
+    ReliefLine line_at(Vec2 pixel) const;
+    bool is_in_bar(Vec2 place) const;
+
+    const Relief& relief_;
+    Vec2 eye_;
+    double part_;
+    Film raster_;
+    int across_, down_;
+};
+
 /// Views by number, and the counts of their lines of sight.
 struct ReliefViews {
     std::vector<Image> views;

@@ -28,6 +28,12 @@ bool FittedPicture::is_in_bar(Vec2 place) const
     return (size.x < 1 && !(at.x >= 0 && at.x <= 1)) || (size.y < 1 && !(at.y >= 0 && at.y <= 1));
 }
 
+double enlargement(Vec2 size, Vec2 rectangle, Fit how)
+{
+    const double across = rectangle.x / size.x, up = rectangle.y / size.y;
+    return how == Fit::cover ? std::max(across, up) : std::min(across, up);
+}
+
 FittedPicture fitted(double shape, double target, Fit fit)
 {
     FittedPicture picture{fit, shape, target, {1, 1}};

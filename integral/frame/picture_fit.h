@@ -39,6 +39,10 @@ double part_of_picture(double part_of_target, double size);
 /// Fits a picture of shape `shape` to a target of shape `target`, both > 0.
 FittedPicture fitted(double shape, double target, Fit fit);
 
+/// The factor by which a rectangle is enlarged so that it fits into another or, with Fit::cover,
+/// fills it. Not for Fit::stretch.
+double enlargement(Vec2 size, Vec2 rectangle, Fit how);
+
 /// Width divided by height of a film.
 double shape_of(const Film& film);
 

@@ -377,7 +377,9 @@ vec3 tinted(Surface surface)
 
 vec3 light_along(SightLine line)
 {
-    if (any(greaterThan(abs(line.pole), 0.5 * window * vec2(film_size) * pixel_pitch)) && any(lessThan(window, vec2(1))))
+    // As FittedPicture::is_in_bar: no bars along a side that the picture fills.
+    vec2 edge = mix(vec2(unlimited), 0.5 * window * vec2(film_size) * pixel_pitch, lessThan(window, vec2(1)));
+    if (any(greaterThan(abs(line.pole), edge)))
         return vec3(0);
     Surface surface = surface_along(line, parallax * line.aperture);
     return tint > 0.0 ? tinted(surface) : surface.colour;

@@ -4,8 +4,8 @@
 #include "integral/base/file_bytes.h"
 #include "integral/base/interrupt.h"
 #include "integral/base/number_text.h"
-#include "integral/depth/relief_frame.h"
 #include "integral/depth/relief_pictures.h"
+#include "integral/depth/relief_views.h"
 #include "integral/frame/view_eyes.h"
 #include "integral/io/markup.h"
 #include "integral/optics/film.h"
@@ -20,27 +20,24 @@ namespace {
 /// The distance from the scene's eye of a surface of parallax p. `eye`: from the eye to the window.
 double distance_of(double p, double eye) { return p < 1 ? eye / (1 - p) : HUGE_VAL; }
 
-/// The view from an eye, in lines of sight through a raster in the image plane.
-ProbeView view_of_relief(const Relief& relief, Vec2 eye, const Film& raster, double distance)
+/// The view from an eye. `window`, mm: what `size` pixels show. `distance`: of the scene's eye from
+/// the window.
+ProbeView view_of_relief(const Relief& relief, Vec2 eye, Vec2 window, PixelSize size,
+                         double distance)
 {
-    const int lines = std::clamp(int(std::ceil(raster.pixel_pitch.x / relief.pixel() - 0.5)), 1, 3);
+    const ReliefEyeView seen(relief, eye, 1, window, size);
+    Image picture = make_image<std::uint8_t>(size.width, size.height, 3, Encoding{});
+    ReliefFigures figures;
     ProbeView view;
     view.eye = eye;
-    for (int y = 0; y < raster.height; ++y)
-        for (int x = 0; x < raster.width; ++x) {
-            ReliefFigures figures;
-            MeanSeen mean(lines * lines, figures);
-            for (int k = 0; k < lines * lines; ++k)
-                mean.add(relief.along({film_from_pixel(raster, {x + (k % lines + 0.5) / lines,
-                                                                y + (k / lines + 0.5) / lines}),
-                                       eye}));
-            for (const float part : {mean.light().r, mean.light().g, mean.light().b})
-                view.colours.push_back(std::uint8_t(
-                    std::lround(255 * encode(Encoding{}, std::clamp(part, 0.f, 1.f)))));
-            const double p = relief.along({film_from_pixel(raster, {x + 0.5, y + 0.5}), eye})
-                                 .parallax;
-            view.nearness.push_back(float(1 / distance_of(p, distance)));
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            store_linear(picture, x, y, seen.pixel(x, y, figures, false));
+            view.nearness.push_back(float(1 / distance_of(seen.parallax(x, y), distance)));
         }
+    for (int y = 0; y < size.height; ++y)
+        view.colours.insert(view.colours.end(), row_bytes(picture, y),
+                            row_bytes(picture, y) + 3 * size.width);
     return view;
 }
 
@@ -134,7 +131,7 @@ Making PictureInput::probe(const ProbeRequest& request, const ScratchFolder&)
             Probe probe;
             probe.request = request;
             probe.width = request.width;
-            probe.height = std::max(1, int(std::lround(request.width / request.aspect)));
+            probe.height = request.height();
             const Vec2 window{request_.size.x, request_.size.x / request.aspect};
             relief.scale_to(window, request_.fit);
             probe.window = {std::min(1.0, relief.size().x / window.x),
@@ -147,11 +144,12 @@ Making PictureInput::probe(const ProbeRequest& request, const ScratchFolder&)
             const EyeGrid eyes{{request.zone.x * window.x, request.zone.y * window.x}, distance};
             const auto draw = [&](int view) {
                 probe.views[std::size_t(view)] = view_of_relief(
-                    relief, eye_of_view(eyes, request.grid, view), raster, distance);
+                    relief, eye_of_view(eyes, request.grid, view), window,
+                    {probe.width, probe.height}, distance);
             };
             if (!for_each_row(request.grid.count(), 0, draw, piece_of(progress, 1, 2)))
                 throw Interrupted();
-            std::swap(probe.views.front(), probe.views[std::size_t(request.grid.count() / 2)]);
+            std::swap(probe.views.front(), probe.views[request.middle()]);
             probe.depths.metadata = scene_of(raster, distance);
             for (const float nearness : probe.views.front().nearness)
                 probe.depths.eye_distances.push_back(1 / nearness);
@@ -189,30 +187,24 @@ DepthSpan PictureInput::depth_range(const FrameMetadata& frame) const
     return range;
 }
 
-Making PictureInput::draft(const PlacementSettings&, const FrameMetadata& frame, int draft,
-                           const std::string& file)
+Making PictureInput::print(const PlacementSettings&, const FrameMetadata& frame,
+                           std::optional<int> draft, const std::string& file)
 {
     ReliefRequest request = request_;
     request.ends = depth_range(frame);
     request.size = size_of(frame.film);
     request.distance = frame.aperture.distance;
     FrameMetadata geometry = print_geometry(frame);
-    if (draft > 1) {
-        geometry.film = draft_of(frame.film, draft);
+    if (draft.value_or(1) > 1) {
+        geometry.film = draft_of(frame.film, *draft);
         geometry.render.emplace();
-        geometry.render->draft = draft;
+        geometry.render->draft = *draft;
     }
     return {{}, [this, request, geometry, file](const Progress& progress) {
                 ReliefInput input = placed(request, piece_of(progress, 0, 2));
                 write_relief_frame(file, std::move(input.relief), geometry, input.form, request.fit,
                                    0, piece_of(progress, 1, 2));
             }};
-}
-
-Making PictureInput::print(const PlacementSettings& settings, const FrameMetadata& frame,
-                           const std::string& file)
-{
-    return draft(settings, frame, 1, file);
 }
 
 /// The command that makes the print `file`. `sheet`: the file with its geometry.

@@ -28,10 +28,8 @@ public:
     void forget() override;
     Making probe(const ProbeRequest& request, const ScratchFolder& scratch) override;
     Probe made_probe(const ProbeRequest& request, const ScratchFolder& scratch) override;
-    Making draft(const PlacementSettings& settings, const FrameMetadata& frame, int draft,
-                 const std::string& file) override;
     Making print(const PlacementSettings& settings, const FrameMetadata& frame,
-                 const std::string& file) override;
+                 std::optional<int> draft, const std::string& file) override;
     std::string words(const PlacementSettings& settings, const FrameMetadata& frame) const override;
     SavedPlacement save(const PlacementSettings& settings, const FrameMetadata& frame,
                         const std::string& file) const override;

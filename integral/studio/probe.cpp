@@ -18,11 +18,6 @@ namespace {
 constexpr int fine_width = 640;     // of a view with side views beside it, pixels
 constexpr double sheet_width = 100; // mm; any width serves, since the probe's sheet shows no lenses
 
-int height_of(const ProbeRequest& request)
-{
-    return std::max(1, int(std::lround(request.width / request.aspect)));
-}
-
 std::string picture_path(const ProbeRequest& request, const ScratchFolder& scratch)
 {
     return quilt_name(scratch.path("probe.png"), request.grid, request.aspect);
@@ -49,6 +44,8 @@ std::string camera_of(const ProbeRequest& request)
 }
 
 } // namespace
+
+int ProbeRequest::height() const { return std::max(1, int(std::lround(width / aspect))); }
 
 ProbeRequest probe_for(const FrameMetadata& frame, double probe_distance)
 {
@@ -87,7 +84,7 @@ std::vector<std::string> probe_words(const std::string& scene,
                              "Integral_Fit=", "Integral_Error_Image="})
         words.push_back(word);
     words.push_back("+W" + std::to_string(request.width * request.grid.columns));
-    words.push_back("+H" + std::to_string(height_of(request) * request.grid.rows));
+    words.push_back("+H" + std::to_string(request.height() * request.grid.rows));
     words.push_back("Integral_Camera=" + camera_of(request));
     words.push_back("Integral_Quilt=" + std::to_string(request.grid.columns) + "x" +
                     std::to_string(request.grid.rows));
@@ -131,7 +128,7 @@ Probe read_probe(const ProbeRequest& request, const ScratchFolder& scratch)
     Probe probe;
     probe.request = request;
     probe.width = request.width;
-    probe.height = height_of(request);
+    probe.height = request.height();
     const int columns = request.grid.columns, rows = request.grid.rows;
     if (!depths.metadata.placement || !depths.metadata.quilt || !depths.metadata.quilt->eyes ||
         picture.width != probe.width * columns || picture.height != probe.height * rows ||
@@ -139,7 +136,7 @@ Probe read_probe(const ProbeRequest& request, const ScratchFolder& scratch)
         throw InputError("the scene's camera gives no views for the studio");
     for (int view = 0; view < request.grid.count(); ++view)
         probe.views.push_back(probe_view(picture, depths, view));
-    std::swap(probe.views.front(), probe.views[std::size_t(rows / 2 * columns + columns / 2)]);
+    std::swap(probe.views.front(), probe.views[request.middle()]);
     probe.sheet_distance = depths.metadata.placement->sheet_distance;
     probe.depths.metadata = depths.metadata;
     probe.depths.metadata.quilt.reset();

@@ -20,6 +20,10 @@ struct ProbeRequest {
     ViewGrid grid{1, 1}; ///< odd numbers, so that one view is the scene's own eye's
     Vec2 zone; ///< extent of the eyes' places, as a part of the sheet's width; > 0 with more than
                ///< one view
+
+    int height() const; ///< of a view, pixels
+    /// The number of the scene's own eye's view.
+    std::size_t middle() const { return std::size_t(grid.count() / 2); }
 };
 
 /// The perspective picture from one eye, whose window is the sheet at Probe::sheet_distance.

@@ -24,6 +24,13 @@ std::string for_renderer(const std::string& name)
     return for_shell(name) == name ? name : for_shell(quoted(name));
 }
 
+/// A picture by povray-integral with these words on its command line.
+Making rendered(std::vector<std::string> words)
+{
+    words.insert(words.begin(), renderer_program());
+    return {std::move(words), {}};
+}
+
 } // namespace
 
 SceneInput::SceneInput(const std::string& scene, const std::vector<std::string>& options)
@@ -55,7 +62,7 @@ std::vector<std::string> SceneInput::files() const
 
 Making SceneInput::probe(const ProbeRequest& request, const ScratchFolder& scratch)
 {
-    return {probe_words(scene_, options_, request, scratch), {}};
+    return rendered(probe_words(scene_, options_, request, scratch));
 }
 
 Probe SceneInput::made_probe(const ProbeRequest& request, const ScratchFolder& scratch)
@@ -63,26 +70,18 @@ Probe SceneInput::made_probe(const ProbeRequest& request, const ScratchFolder& s
     return read_probe(request, scratch);
 }
 
-Making SceneInput::draft(const PlacementSettings& settings, const FrameMetadata& frame, int draft,
-                         const std::string& file)
-{
-    std::vector<std::string> words = words_for(settings, frame);
-    for (const char* word :
-         {"-A", "Integral_Audit=off", "Integral_Depth_Image=", "Integral_Error_Image="})
-        words.push_back(word);
-    words.push_back("Integral_Draft=" + std::to_string(draft));
-    words.push_back("+O" + quoted(file));
-    return {words, {}};
-}
-
 Making SceneInput::print(const PlacementSettings& settings, const FrameMetadata& frame,
-                         const std::string& file)
+                         std::optional<int> draft, const std::string& file)
 {
     std::vector<std::string> words = words_for(settings, frame);
-    words.push_back("+A0.3");
-    words.push_back("Integral_Draft=1");
+    if (draft)
+        words.insert(words.end(), {"-A", "Integral_Audit=off",
+                                   "Integral_Depth_Image=", "Integral_Error_Image="});
+    else
+        words.push_back("+A0.3");
+    words.push_back("Integral_Draft=" + std::to_string(draft.value_or(1)));
     words.push_back("+O" + quoted(file));
-    return {words, {}};
+    return rendered(words);
 }
 
 std::string SceneInput::words(const PlacementSettings& settings, const FrameMetadata& frame) const

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// What the studio places on a sheet: a scene, or pictures with depth.
+// Interface of an input of the studio: a scene, or pictures with depth.
 #ifndef INTEGRAL_STUDIO_STUDIO_INPUT_H
 #define INTEGRAL_STUDIO_STUDIO_INPUT_H
 
@@ -8,13 +8,13 @@
 #include "integral/studio/probe.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace integral {
 
-/// The way in which a picture is made: by a program with this command line or, if that is empty, by
-/// a function.
+/// Recipe of a picture: the command line of a program or, if that is empty, a function.
 struct Making {
     std::vector<std::string> command;
     std::function<void(const Progress&)> function; ///< throws Interrupted where Progress stops it
@@ -45,13 +45,10 @@ public:
     /// The probe that has been made. Throws InputError.
     virtual Probe made_probe(const ProbeRequest& request, const ScratchFolder& scratch) = 0;
 
-    /// Makes a draft of the print, with pixels as wide as `draft` of the print's, as `file` (.png).
-    /// Throws std::invalid_argument if the settings cannot work.
-    virtual Making draft(const PlacementSettings& settings, const FrameMetadata& frame, int draft,
-                         const std::string& file) = 0;
-    /// Makes the print as `file` (.png). Throws std::invalid_argument likewise.
+    /// Makes the print as `file` (.png); or a draft of it, with pixels as wide as `draft` of the
+    /// print's. Throws std::invalid_argument if the settings cannot work.
     virtual Making print(const PlacementSettings& settings, const FrameMetadata& frame,
-                         const std::string& file) = 0;
+                         std::optional<int> draft, const std::string& file) = 0;
 
     /// The page's words for settings. Throws std::invalid_argument likewise.
     virtual std::string words(const PlacementSettings& settings,

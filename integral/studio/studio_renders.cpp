@@ -308,7 +308,7 @@ void StudioRenders::begin_exact(const ExactRequest& request)
     auto job = std::make_unique<Job>();
     job->exact = request;
     job->draft = draft_of_four_views(frame);
-    const Making making = input_.draft(request.settings, frame, job->draft, job->picture());
+    const Making making = input_.print(request.settings, frame, job->draft, job->picture());
     begin(std::move(job), making);
 }
 
@@ -316,8 +316,8 @@ void StudioRenders::begin_print(const PrintRequest& request)
 {
     auto job = std::make_unique<Job>();
     job->print = request;
-    const Making making = input_.print(
-        request.settings, frame_of_settings(request.settings, &probe()->depths), job->picture());
+    const FrameMetadata frame = frame_of_settings(request.settings, &probe()->depths);
+    const Making making = input_.print(request.settings, frame, std::nullopt, job->picture());
     begin(std::move(job), making);
 }
 
@@ -325,11 +325,8 @@ void StudioRenders::begin(std::unique_ptr<Job> job, const Making& making)
 {
     if (making.command.empty())
         job->work.emplace(making.function);
-    else {
-        std::vector<std::string> line = making.command;
-        line.insert(line.begin(), renderer_program());
-        job->child.emplace(line, ".", job->log());
-    }
+    else
+        job->child.emplace(making.command, ".", job->log());
     job_ = std::move(job);
     const std::lock_guard lock(mutex_);
     work_ = job_->print ? "print" : job_->probe ? "probe" : "exact";

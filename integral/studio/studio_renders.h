@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Has the studio's pictures made: probes of its input, exact drafts of the print, and the print.
+// Runs the making of the studio's pictures: probes of its input, exact drafts of the print, and the
+// print.
 #ifndef INTEGRAL_STUDIO_STUDIO_RENDERS_H
 #define INTEGRAL_STUDIO_STUDIO_RENDERS_H
 
@@ -21,11 +22,11 @@ struct ExactDraft {
     Frame frame; ///< with the print's pixels (with_final_pixels), 8-bit sRGB with alpha
 };
 
-/// Has pictures made in the background, one at a time: two small probes first (again when the
-/// picture's shape changes), then exact drafts as soon as they are requested, and a probe with side
-/// views while nothing else is to be done. The print itself waits for the picture under way, and
-/// other pictures wait for the print. A change of the input's files starts this anew. Nothing is
-/// made while no page listens.
+/// Runs the making of pictures in the background, one at a time: two small probes first (again when
+/// the picture's shape changes), then exact drafts as soon as they are requested, and a probe with
+/// side views while nothing else is to be done. The print itself waits for the picture under way,
+/// and other pictures wait for the print. A change of the input's files starts this anew. Nothing
+/// is made while no page listens.
 class StudioRenders {
 public:
     /// `input` must outlive this. `aspect`: width / height of the print, if known, else the
@@ -76,7 +77,7 @@ public:
 
     /// Starts, watches and ends the making of pictures. Call it several times a second.
     void work();
-    /// Ends that, and all listeners' streams.
+    /// Ends the making of pictures, and all listeners' streams.
     void end();
 
 private:
