@@ -49,20 +49,6 @@ std::optional<std::string> own_place(const std::string& path)
     return embedded_depth(path) ? std::optional<std::string>("inside") : std::nullopt;
 }
 
-ReliefRequest relief_request(const std::vector<std::string>& inputs, const DepthSource& source,
-                             const DepthViewsRequest& request)
-{
-    ReliefRequest relief;
-    relief.input.right_to_left = request.right_to_left;
-    relief.size = size_of(request.panel.film);
-    relief.distance = request.panel.aperture.distance;
-    relief.fit = request.fit;
-    relief.width = size_of_view(request).width;
-    relief.tell = [&request](const std::string& what) { say(request.command, what); };
-    set_depth_source(relief, inputs, source, frame_geometry(request.panel));
-    return relief;
-}
-
 } // namespace
 
 PixelSize size_of_view(const DepthViewsRequest& request)
@@ -90,12 +76,24 @@ std::string depth_in_force(const std::vector<std::string>& inputs, const DepthSo
     return source.depth.value_or(own_place(inputs[0]).value_or("measured"));
 }
 
-void set_depth_source(ReliefRequest& request, const std::vector<std::string>& inputs,
-                      const DepthSource& source, const FrameMetadata& seen)
+ReliefRequest relief_request(const char* command, const std::vector<std::string>& inputs,
+                             const DepthSource& source, const GivenPictures& given,
+                             const FrameMetadata& seen)
 {
     constexpr double otherwise = 0.02; // of the distance, for sheets without a depth budget
-    if (request.fit == Fit::stretch)
+    if (given.fit == Fit::stretch)
         throw UsageError("--fit stretch: a scene with depth cannot be stretched; contain or cover");
+    ReliefRequest request;
+    request.size = size_of(seen.film);
+    request.distance = seen.aperture.distance;
+    request.fit = given.fit;
+    request.input.aspect = given.aspect;
+    request.input.right_to_left = given.right_to_left;
+    request.input.grid = given.grid;
+    if (given.eyes)
+        request.input.zone = GivenZone{
+            {viewing_zone(seen, request.distance), request.distance}, request.size.x, seen.sheet};
+    request.tell = [command](const std::string& what) { say(command, what); };
     const std::string depth = depth_in_force(inputs, source);
     request.own = depth == "beside"   ? OwnDepth::beside
                   : depth == "inside" ? OwnDepth::inside
@@ -110,6 +108,7 @@ void set_depth_source(ReliefRequest& request, const std::vector<std::string>& in
     }
     const auto budget = seen_budget(seen);
     request.limit = budget ? soft_budgets * *budget : otherwise * request.distance;
+    return request;
 }
 
 ViewInput views_by_depth(const std::vector<std::string>& inputs, const DepthSource& source,
@@ -119,8 +118,12 @@ ViewInput views_by_depth(const std::vector<std::string>& inputs, const DepthSour
     const Progress bar = progress_bar(request.command);
     ViewInput made;
     usage_checked(inputs[0] + ": ", [&] {
-        ReliefInput input = read_relief(inputs, relief_request(inputs, source, request),
-                                        request.threads, piece_of(bar, 0, 2));
+        GivenPictures given;
+        given.fit = request.fit;
+        given.right_to_left = request.right_to_left;
+        ReliefRequest relief = relief_request(request.command, inputs, source, given, geometry);
+        relief.width = size_of_view(request).width;
+        ReliefInput input = read_relief(inputs, relief, request.threads, piece_of(bar, 0, 2));
         const Vec2 shown = fit_on_panel(input.relief, inputs[0], request);
         const double distance = geometry.aperture.distance;
         made.grid = quilt_for(request.panel, request.grid).tiles;

@@ -32,10 +32,20 @@ bool shows_by_depth(const std::vector<std::string>& inputs, const DepthSource& s
 /// or else measured. Throws InputError.
 std::string depth_in_force(const std::vector<std::string>& inputs, const DepthSource& source);
 
-/// Fills the fields of a request that --depth and --depth-range give, and its limit: twice the
-/// depth budget of the geometry that will be seen. Throws UsageError.
-void set_depth_source(ReliefRequest& request, const std::vector<std::string>& inputs,
-                      const DepthSource& source, const FrameMetadata& seen);
+/// Facts about inputs that options give.
+struct GivenPictures {
+    Fit fit = Fit::contain;       ///< not stretch
+    std::optional<double> aspect; ///< of each view
+    bool right_to_left = false;   ///< views or a pair
+    std::optional<ViewGrid> grid; ///< of the views
+    bool eyes = false; ///< the views are those of eyes spread over the zone of the geometry
+};
+
+/// The request for inputs that will be seen in a frame of geometry `seen`. Depths without a unit
+/// are limited to twice its depth budget. Notices begin with the command's name. Throws UsageError.
+ReliefRequest relief_request(const char* command, const std::vector<std::string>& inputs,
+                             const DepthSource& source, const GivenPictures& given,
+                             const FrameMetadata& seen);
 
 /// Views of a picture with depth that are drawn for a panel.
 struct DepthViewsRequest {

@@ -128,33 +128,26 @@ std::unique_ptr<StudioInput> picture_input(const StudioOptions& o, PlacementSett
     if (!(first.print.x > 0))
         first.print = print_of_aspect(1);
     const FrameMetadata geometry = frame_of_settings(first, nullptr);
-    ReliefRequest request;
-    request.size = size_of(geometry.film);
-    request.distance = geometry.aperture.distance;
-    request.fit = o.fit.value();
-    request.tell = [](const std::string& what) { say("studio", what); };
-    request.input.aspect = o.given_views.aspect();
-    request.input.right_to_left = o.given_views.right_to_left;
+    GivenPictures given{o.fit.value(),
+                        o.given_views.aspect(),
+                        o.given_views.right_to_left,
+                        {},
+                        o.views || o.inputs.size() > 2 || quilt_in_name(o.inputs[0])};
     std::vector<std::string> words = o.inputs;
     words.insert(words.end(), {"--depth", depth});
     if (o.views) {
-        request.input.grid = parse_view_grid(*o.views);
+        given.grid = parse_view_grid(*o.views);
         words.insert(words.end(), {"--views", *o.views});
     }
     if (o.given_views.given_aspect)
         words.insert(words.end(), {"--aspect", *o.given_views.given_aspect});
-    if (o.given_views.right_to_left)
+    if (given.right_to_left)
         words.push_back("--right-to-left");
     if (o.fit.given)
         words.insert(words.end(), {"--fit", *o.fit.given});
-    if (o.views || o.inputs.size() > 2 || quilt_in_name(o.inputs[0])) {
-        request.input.zone = GivenZone{
-            {viewing_zone(geometry.sheet, geometry.aperture), request.distance},
-            request.size.x,
-            geometry.sheet};
+    if (given.eyes)
         words.push_back("--eyes");
-    }
-    set_depth_source(request, o.inputs, o.depth, geometry);
+    const ReliefRequest request = relief_request("studio", o.inputs, o.depth, given, geometry);
     return usage_checked(o.inputs[0] + ": ", [&] {
         return std::make_unique<PictureInput>(o.inputs, words, request, progress_bar("studio"));
     });

@@ -89,34 +89,19 @@ FrameMetadata geometry_of(const ViewsOptions& o)
     return geometry;
 }
 
-ReliefRequest relief_request(const ViewsOptions& o, const FrameMetadata& geometry)
-{
-    ReliefRequest request;
-    if (o.views)
-        request.input.grid = parse_view_grid(*o.views);
-    request.input.aspect = o.given_views.aspect();
-    request.input.right_to_left = o.given_views.right_to_left;
-    request.fit = o.fit.value();
-    if (o.depth.depth == "none")
-        throw UsageError("--depth none: leave --depth out");
-    request.tell = [](const std::string& what) { say("views", what); };
-    request.size = size_of(geometry.film);
-    request.distance = geometry.aperture.distance;
-    if (o.eyes)
-        request.input.zone = GivenZone{{viewing_zone(geometry, request.distance), request.distance},
-                                       request.size.x,
-                                       geometry.sheet};
-    set_depth_source(request, o.inputs, o.depth, geometry);
-    return request;
-}
-
 } // namespace
 
 int make_frame_with_depth(const ViewsOptions& o, const std::string& output, int threads)
 {
     check_writable(output);
     const FrameMetadata geometry = geometry_of(o);
-    const ReliefRequest request = relief_request(o, geometry);
+    if (o.depth.depth == "none")
+        throw UsageError("--depth none: leave --depth out");
+    const ReliefRequest request = relief_request(
+        "views", o.inputs, o.depth,
+        {o.fit.value(), o.given_views.aspect(), o.given_views.right_to_left,
+         o.views ? std::optional(parse_view_grid(*o.views)) : std::nullopt, o.eyes},
+        geometry);
     const Progress bar = progress_bar("views");
     usage_checked(o.inputs[0] + ": ", [&] {
         ReliefInput input = read_relief(o.inputs, request, threads, piece_of(bar, 0, 2));
