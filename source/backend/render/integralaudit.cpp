@@ -33,6 +33,10 @@ constexpr double usual_share = 0.002, picture_share = 0.05;
 constexpr double part_of_rays = 0.05;
 constexpr double least_pixels = 150, most_pixels = 1000;
 
+// At most so many candidates are recorded for each of most_pixels. The choice among them, by
+// expected errors, then adds about a twentieth to the variance of the estimate.
+constexpr double candidates_each = 20;
+
 // This share of the mean expected error is added to each pixel's expected error, which is uncertain.
 constexpr double expected_anywhere = 0.5;
 
@@ -76,33 +80,20 @@ void IntegralAudit::Note(const POVRect& rect, const std::vector<Colour>& colours
     std::size_t index = 0;
     for (int y = rect.top; y <= int(rect.bottom); y++)
         for (int x = rect.left; x <= int(rect.right); x++, index++)
-            if (squared_errors[index] != unlit)
+            if (squared_errors[index] != unlit && Can_Be_Chosen(x, y))
                 lit.push_back(Candidate_At(x, y, colours[index], squared_errors[index]));
     Note(lit, index);
 }
 
 void IntegralAudit::Note(const POVRect& rect, const std::vector<Colour>& colours)
 {
-    std::vector<float> squared_errors;
-    if (quilt)
-    {
-        for (int y = rect.top; y <= int(rect.bottom); y++)
-            for (int x = rect.left; x <= int(rect.right); x++)
-                squared_errors.push_back(quilt->tile(x, y) ? unknown : unlit);
-        return Note(rect, colours, squared_errors);
-    }
-    integral::RayRun<integral::Vec2> film_points;
-    integral::RayRun<integral::MappedPoint> mapped;
+    std::vector<Candidate> lit;
+    std::size_t index = 0;
     for (int y = rect.top; y <= int(rect.bottom); y++)
-        for (int x = rect.left; x <= int(rect.right); x += integral::run_length)
-        {
-            for (int k = 0; k < integral::run_length; k++)
-                film_points[k] = integral::film_from_pixel(optics->film, {x + k + 0.5, y + 0.5});
-            optics->optics.map_run(integral::run_length, film_points, optics->mapping, mapped);
-            for (int k = 0; k < integral::run_length && x + k <= int(rect.right); k++)
-                squared_errors.push_back(mapped[k].ray ? unknown : unlit);
-        }
-    Note(rect, colours, squared_errors);
+        for (int x = rect.left; x <= int(rect.right); x++, index++)
+            if (Can_Be_Chosen(x, y) && Is_Lit(x, y))
+                lit.push_back(Candidate_At(x, y, colours[index], unknown));
+    Note(lit, index);
 }
 
 void IntegralAudit::Note(const std::vector<Vector2d>& positions, const std::vector<Colour>& colours)
@@ -111,12 +102,25 @@ void IntegralAudit::Note(const std::vector<Vector2d>& positions, const std::vect
     for (std::size_t index = 0; index < positions.size() && index < colours.size(); index++)
     {
         const int x = int(positions[index].x()), y = int(positions[index].y());
-        const integral::Vec2 point = integral::film_from_pixel(optics->film, {x + 0.5, y + 0.5});
-        if (quilt ? quilt->tile(x, y).has_value()
-                  : optics->optics.map(point, optics->mapping).ray.has_value())
+        if (Can_Be_Chosen(x, y) && Is_Lit(x, y))
             lit.push_back(Candidate_At(x, y, colours[index], unknown));
     }
     Note(lit, positions.size());
+}
+
+/// Whether a lens, or a view of a quilt, shows the pixel's middle.
+bool IntegralAudit::Is_Lit(int x, int y) const
+{
+    const integral::Vec2 middle = integral::film_from_pixel(optics->film, {x + 0.5, y + 0.5});
+    return quilt ? quilt->tile(x, y).has_value()
+                 : optics->optics.map(middle, optics->mapping).ray.has_value();
+}
+
+/// Whether a pixel's hash and row permit its choice. Most pixels of a large frame are left out
+/// here, before anything is computed for them.
+bool IntegralAudit::Can_Be_Chosen(int x, int y) const
+{
+    return integral::random_bits(seed, Key(x, y)) <= threshold && rows.Have(y);
 }
 
 IntegralAudit::Candidate IntegralAudit::Candidate_At(int x, int y, const Colour& colour,
@@ -135,7 +139,7 @@ void IntegralAudit::Note(const std::vector<Candidate>& lit, std::size_t of)
     std::lock_guard<std::mutex> lock(mutex);
     seen += of;
     for (const Candidate& pixel : lit)
-        if (pixel.hash <= threshold && rows.Have(pixel.y))
+        if (pixel.hash <= threshold) // which may have fallen
         {
             noted[pixel.y].push_back(pixel);
             noted_number++;
@@ -144,14 +148,15 @@ void IntegralAudit::Note(const std::vector<Candidate>& lit, std::size_t of)
 }
 
 /// Drops recorded pixels that will not be audited. Retains at most twice the requested share (or
-/// usual_share if greater) of the pixels rendered so far, or 200 * most_pixels if that is more.
+/// usual_share if greater) of the pixels rendered so far, or candidates_each * most_pixels if that
+/// is more.
 void IntegralAudit::Thin_Out()
 {
-    const double most = std::max(200 * most_pixels,
+    const double most = std::max(candidates_each * most_pixels,
                                  2 * std::max(share, usual_share) * double(seen));
     while (double(noted_number) > most)
     {
-        threshold /= 2;
+        threshold = threshold / 2;
         noted_number = 0;
         for (std::vector<Candidate>& row : noted)
         {

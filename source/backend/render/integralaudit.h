@@ -7,6 +7,7 @@
 #ifndef POVRAY_BACKEND_INTEGRALAUDIT_H
 #define POVRAY_BACKEND_INTEGRALAUDIT_H
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -87,6 +88,8 @@ private:
         double expected; ///< its expected squared error, up to a factor, or `unknown`
     };
 
+    bool Is_Lit(int x, int y) const;
+    bool Can_Be_Chosen(int x, int y) const;
     Candidate Candidate_At(int x, int y, const Colour& colour, float expected) const;
     void Note(const std::vector<Candidate>& lit, std::size_t of);
     void Thin_Out();
@@ -111,7 +114,7 @@ private:
     /// Lit pixels of each row whose hash is at most the threshold, in the order of recording.
     std::vector<std::vector<Candidate>> noted;
     std::size_t noted_number = 0;
-    std::uint64_t threshold = ~std::uint64_t(0);
+    std::atomic<std::uint64_t> threshold{~std::uint64_t(0)};
     long long seen = 0;    ///< number of pixels passed to Note
     double lit_pixels = 0; ///< approximate number of lit pixels in the frame
     bool chosen = false;
