@@ -128,7 +128,7 @@ ViewInput views_by_depth(const std::vector<std::string>& inputs, const DepthSour
         const double distance = geometry.aperture.distance;
         made.grid = quilt_for(request.panel, request.grid).tiles;
         ReliefViews drawn = views_of_relief(
-            input.relief, {viewing_zone(geometry, distance), distance},
+            std::move(input.relief), {viewing_zone(geometry, distance), distance},
             directions_of(made.grid, geometry.sheet), shown, size_of_view(request), input.form,
             request.threads, piece_of(bar, 1, 2));
         say(request.command, inputs[0] + ": " + holes_text(drawn.figures));

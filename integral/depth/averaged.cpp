@@ -36,16 +36,4 @@ Image averaged(const Image& picture, int factor, int threads)
     return small;
 }
 
-Image thinned(const Image& picture, int factor)
-{
-    if (factor == 1)
-        return picture;
-    Image small = blank_like(picture, picture.width / factor, picture.height / factor);
-    for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x)
-            store_pixel(small, x, y,
-                        stored_pixel(picture, x * factor + factor / 2, y * factor + factor / 2));
-    return small;
-}
-
 } // namespace integral

@@ -15,9 +15,6 @@ int reduction(const Image& picture, int width);
 /// square, at the right and below, are left out. `factor` must not exceed the picture's sides.
 Image averaged(const Image& picture, int factor, int threads);
 
-/// The middle pixel of each such square: for depths, whose mean is the depth of no surface.
-Image thinned(const Image& picture, int factor);
-
 } // namespace integral
 
 #endif

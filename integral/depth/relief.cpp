@@ -21,8 +21,10 @@ constexpr double far_apart = 6;
 /// The pixel at a place, or the map's nearest pixel.
 std::size_t pixel_around(const ReliefMap& map, Vec2 at)
 {
-    const int x = std::clamp(int(std::floor(at.x + 0.5)), 0, map.width - 1),
-              y = std::clamp(int(std::floor(at.y + 0.5)), 0, map.height - 1);
+    const auto nearest = [](double place, int size) {
+        return int(std::clamp(place + 0.5, 0.0, size - 1.0));
+    };
+    const int x = nearest(at.x, map.width), y = nearest(at.y, map.height);
     return std::size_t(y) * map.width + std::size_t(x);
 }
 
@@ -208,6 +210,29 @@ void Relief::scale(double factor)
     pixel_ *= factor;
     for (Vec2* v : {&size_, &first_eye_, &last_eye_, &spacing_})
         *v = factor * *v;
+}
+
+void Relief::thin(Vec2 spacing)
+{
+    for (ReliefMap& map : maps_) {
+        const auto whole = [](double ratio, int most) {
+            return std::clamp(int(ratio + 1e-6), 1, most);
+        };
+        const int across = whole(spacing.x / length(map.places.right), map.width),
+                  down = whole(spacing.y / length(map.places.down), map.height);
+        if (across == 1 && down == 1)
+            continue;
+        const int left = across / 2, above = down / 2;
+        std::vector<float> kept;
+        for (int y = above; y < map.height; y += down)
+            for (int x = left; x < map.width; x += across)
+                kept.push_back(map.parallax[std::size_t(y) * map.width + x]);
+        map.places = {map.places.at(left, above), double(across) * map.places.right,
+                      double(down) * map.places.down};
+        map.width = (map.width - left + across - 1) / across;
+        map.height = (map.height - above + down - 1) / down;
+        map.parallax = std::move(kept);
+    }
 }
 
 Relief::Meeting Relief::meet(const ReliefMap& map, const ReliefLine& line) const

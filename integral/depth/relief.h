@@ -72,6 +72,11 @@ public:
     /// Fit::cover, or if the shapes hardly differ (FittedPicture).
     void scale_to(Vec2 rectangle, Fit how);
 
+    /// Reduces maps whose pixels are less than half as wide or high as `spacing`, mm, of the lines
+    /// of sight to come: retains one pixel in each rectangle of at most that size. Depths are not
+    /// averaged: the mean of two depths is the depth of no surface.
+    void thin(Vec2 spacing);
+
     /// The parallax of the nearest and farthest twentieth of all maps: nine tenths lie between.
     ParallaxSpan span() const;
 

@@ -33,6 +33,16 @@ public:
         along_ = lenticular_ ? parts(length(pixel_along_)) : across_;
     }
 
+    /// From one line of sight to the next in the image plane, across and down, mm.
+    Vec2 spacing() const
+    {
+        const double pitch = optics_.lattice().pitch() / across_;
+        if (!lenticular_)
+            return {pitch, pitch};
+        const double along = length(pixel_along_) / along_;
+        return pixel_along_.x > 0 ? Vec2{along, pitch} : Vec2{pitch, along};
+    }
+
     Colour pixel(int x, int y, ReliefFigures& figures) const
     {
         return each_channel(film_.subpixels, [&](int channel) {
@@ -116,6 +126,7 @@ ReliefFigures write_relief_frame(const std::string& path, Relief relief,
                                          fit);
     relief.scale_to(film, fit);
     const FilmLight light(relief, geometry, picture);
+    relief.thin(light.spacing());
     FrameMetadata metadata = geometry;
     metadata.encoding = form.encoding;
     metadata.quilt.reset();

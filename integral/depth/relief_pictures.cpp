@@ -178,8 +178,7 @@ ReliefInput read_own_depth(const std::string& path, const ReliefRequest& request
     ColoursAndDepth picture = request.own == OwnDepth::beside ? halves_of(path)
                                                               : photograph_of(path);
     const PictureRaster raster = raster_of(picture.colours, request);
-    const Image greys = thinned(picture.greys,
-                                raster.factor > 1 ? reduction(picture.greys, request.width) : 1);
+    const Image& greys = picture.greys;
     std::vector<ReliefPicture> pictures{relief_picture(picture.colours, raster, threads)};
     ReliefMap map = relief_map(greys.width, greys.height, raster, parallax_of_greys(greys), 0);
     map.places = places_over(raster.size, greys.width, greys.height);

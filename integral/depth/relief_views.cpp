@@ -18,6 +18,12 @@ int lines_one_way(double pixel, const Relief& relief)
 
 } // namespace
 
+Vec2 spacing_of_lines(const Relief& relief, Vec2 shown, PixelSize size)
+{
+    const Vec2 pixel{shown.x / size.width, shown.y / size.height};
+    return {pixel.x / lines_one_way(pixel.x, relief), pixel.y / lines_one_way(pixel.y, relief)};
+}
+
 ReliefEyeView::ReliefEyeView(const Relief& relief, Vec2 eye, double part, Vec2 shown,
                              PixelSize size)
     : relief_(relief),
@@ -58,12 +64,13 @@ bool ReliefEyeView::is_in_bar(Vec2 place) const
            std::fabs(place.y) > 0.5 * relief_.size().y;
 }
 
-ReliefViews views_of_relief(const Relief& relief, const EyeGrid& eyes, ViewGrid directions,
-                            Vec2 shown, PixelSize size, const Image& form, int threads,
+ReliefViews views_of_relief(Relief relief, const EyeGrid& eyes, ViewGrid directions, Vec2 shown,
+                            PixelSize size, const Image& form, int threads,
                             const Progress& progress)
 {
     ReliefViews made;
     ReliefTally tally;
+    relief.thin(spacing_of_lines(relief, shown, size));
     for (int k = 0; k < directions.count(); ++k) {
         Image& view = made.views.emplace_back(blank_like(form, size.width, size.height));
         const ReliefEyeView eye_view(relief, eye_of_view(eyes, directions, k),

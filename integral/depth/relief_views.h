@@ -35,6 +35,9 @@ private:
     int across_, down_;
 };
 
+/// From one line of sight of such a view to the next in the image plane, across and down, mm.
+Vec2 spacing_of_lines(const Relief& relief, Vec2 shown, PixelSize size);
+
 /// Views by number, and the counts of their lines of sight.
 struct ReliefViews {
     std::vector<Image> views;
@@ -45,8 +48,8 @@ struct ReliefViews {
 /// the image plane around the middle, `shown` mm; outside of the relief's pictures it is black.
 /// `directions`: numbers of views across and up (directions_of). Throws
 /// Interrupted.
-ReliefViews views_of_relief(const Relief& relief, const EyeGrid& eyes, ViewGrid directions,
-                            Vec2 shown, PixelSize size, const Image& form, int threads,
+ReliefViews views_of_relief(Relief relief, const EyeGrid& eyes, ViewGrid directions, Vec2 shown,
+                            PixelSize size, const Image& form, int threads,
                             const Progress& progress);
 
 } // namespace integral

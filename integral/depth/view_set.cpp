@@ -13,13 +13,6 @@ double DepthScale::mm(double disparity) const
     return part < 1 ? distance * part / (1 - part) : HUGE_VAL;
 }
 
-Vec2 PixelPlaces::pixel_at(Vec2 point) const
-{
-    const Vec2 off = point - first;
-    const double area = right.x * down.y - right.y * down.x;
-    return {(off.x * down.y - off.y * down.x) / area, (right.x * off.y - right.y * off.x) / area};
-}
-
 namespace {
 
 DepthView view_of(const ViewSet& set, const Image& picture, Vec2 shift)

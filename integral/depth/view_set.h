@@ -49,7 +49,14 @@ struct DepthScale {
 struct PixelPlaces {
     Vec2 first, right{1, 0}, down{0, -1};
     Vec2 at(double column, double row) const { return first + column * right + row * down; }
-    Vec2 pixel_at(Vec2 point) const; ///< inverse: column and row, whole at pixel middles
+    /// Inverse: column and row, whole at pixel middles.
+    Vec2 pixel_at(Vec2 point) const
+    {
+        const Vec2 off = point - first;
+        const double area = right.x * down.y - right.y * down.x;
+        return {(off.x * down.y - off.y * down.x) / area,
+                (right.x * off.y - right.y * off.x) / area};
+    }
 };
 
 struct ViewSet {

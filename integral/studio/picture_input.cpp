@@ -136,6 +136,7 @@ Making PictureInput::probe(const ProbeRequest& request, const ScratchFolder&)
             relief.scale_to(window, request_.fit);
             probe.window = {std::min(1.0, relief.size().x / window.x),
                             std::min(1.0, relief.size().y / window.y)};
+            relief.thin(spacing_of_lines(relief, window, {probe.width, probe.height}));
             const Film raster{
                 probe.width, probe.height, {window.x / probe.width, window.y / probe.height}};
             const double distance = request_.distance;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-// Tests the depth of stereo pairs on two textured planes, and pictures that are reduced first.
+// Tests the depth of stereo pairs on two textured planes, and pictures and maps that are reduced.
 #include "integral/depth/averaged.h"
+#include "integral/depth/relief.h"
 #include "integral/depth/stereo_pair.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
 #include <cstdint>
+#include <set>
 
 using namespace integral;
 
@@ -89,13 +91,46 @@ BOOST_AUTO_TEST_CASE(reduced_pictures)
     BOOST_TEST(reduction(picture, 3) == 2);
     BOOST_TEST(reduction(picture, 4) == 1);
     BOOST_TEST(reduction(picture, 1) == 4); // at most the height
-    const Image mean = averaged(picture, 2, 1), middle = thinned(picture, 2);
+    const Image mean = averaged(picture, 2, 1);
     BOOST_TEST(mean.width == 3);
     BOOST_TEST(mean.height == 2);
     BOOST_TEST(stored_pixel(mean, 1, 1).r == 2.5f);
     BOOST_TEST(stored_pixel(mean, 1, 1).g == 2.5f);
-    BOOST_TEST(stored_pixel(middle, 1, 1).r == 3.0f);
-    BOOST_TEST(stored_pixel(middle, 1, 0).g == 1.0f);
+}
+
+// A slope of 60 x 40 pixels, 0.1 mm each, whose parallax is 0.2 + 0.03 times the place across, mm.
+BOOST_AUTO_TEST_CASE(maps_are_thinned_to_the_spacing_of_lines)
+{
+    constexpr int across = 60, down = 40;
+    constexpr double pixel = 0.1;
+    const PixelPlaces places{{-2.95, 1.95}, {pixel, 0}, {0, -pixel}};
+    const auto slope = [](double x) { return 0.2 + 0.03 * x; };
+    ReliefPicture picture{{0, 0}, across, down, places, {}, {}};
+    ReliefMap map{{0, 0}, across, down, places, {}, 0};
+    for (auto& channel : picture.light)
+        channel.assign(across * down, 0.5f);
+    for (int k = 0; k < across * down; ++k)
+        map.parallax.push_back(float(slope(places.at(k % across, 0).x)));
+    const struct {
+        Vec2 spacing;
+        std::size_t kept; // of the map's columns
+        double nearest;   // mm, from any place to that of a kept column
+    } cases[] = {{{0.19, 0.19}, 60, 0.01},
+                 {{0.2, 0.1}, 30, 0.11},
+                 {{0.75, 0.3}, 9, 0.36},
+                 {{90, 90}, 1, 3.06}};
+    for (const auto& one : cases) {
+        Relief relief({picture}, {map}, 400, {6, 4});
+        relief.thin(one.spacing);
+        std::set<float> depths;
+        for (int k = 0; k < across; ++k) {
+            const Vec2 place = places.at(k, 7);
+            const double seen = relief.along({place, {0, 0}}).parallax;
+            BOOST_TEST(std::fabs(seen - slope(place.x)) <= 0.03 * one.nearest);
+            depths.insert(float(seen));
+        }
+        BOOST_TEST(depths.size() == one.kept);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
