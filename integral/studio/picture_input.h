@@ -23,6 +23,8 @@ public:
                  const ReliefRequest& request, const Progress& progress);
 
     std::string name() const override;
+    const char* kind() const override { return "picture"; }
+    const char* unit() const override { return "mm"; }
     double aspect() const override { return aspect_; }
     std::vector<std::string> files() const override;
     void forget() override;

@@ -14,6 +14,8 @@ public:
     SceneInput(const std::string& scene, const std::vector<std::string>& options);
 
     std::string name() const override;
+    const char* kind() const override { return "scene"; }
+    const char* unit() const override { return "units"; }
     double aspect() const override;
     std::vector<std::string> files() const override;
     Making probe(const ProbeRequest& request, const ScratchFolder& scratch) override;

@@ -95,7 +95,7 @@ std::optional<ServerAnswer> Studio::answer(const ServerRequest& request)
             return ServerAnswer{400, error.what(), "text/plain; charset=utf-8"};
         }
     if (request.path == "/")
-        return ServerAnswer{200, studio_page(input_.name(), first_, request)};
+        return ServerAnswer{200, studio_page(input_, first_, request)};
     if (request.path == "/events") {
         ServerAnswer events;
         const auto listener = std::make_shared<StudioRenders::Listener>(renders_);

@@ -56,9 +56,9 @@ private:
     PanelWindow& window_;
 };
 
-/// The studio's page for an input of that name. `first`: the first settings, whose sheet or panel
+/// The studio's page for an input. `first`: the first settings, whose sheet or panel
 /// is in the page's list even if it is none of the known ones.
-std::string studio_page(const std::string& name, const PlacementSettings& first,
+std::string studio_page(const StudioInput& input, const PlacementSettings& first,
                         const ServerRequest& request);
 
 } // namespace integral

@@ -69,6 +69,7 @@ function draw_depths() {
 
 // Text and controls.
 
+const kind = document.body.dataset.input; // "scene" or "picture"
 let page_problem = null; // what went wrong on the page; the scene's own problem is in `scene`
 function say_problem(text) {
   page_problem = text;
@@ -83,10 +84,10 @@ function show_problem() {
 
 function show_badge() {
   const percent = ` ${Math.round(100 * scene.progress)} %`;
-  const working = scene.work === "print" ? `, rendering the ${product()}` + percent : scene.work === "exact" ? ", rendering the exact draft" + percent : scene.work === "probe" ? ", looking at the scene" + percent : "";
+  const working = scene.work === "print" ? `, rendering the ${product()}` + percent : scene.work === "exact" ? ", rendering the exact draft" + percent : scene.work === "probe" ? `, looking at the ${kind}` + percent : "";
   const badge = element("badge");
   badge.classList.toggle("exact", is_exact());
-  badge.textContent = !live ? "No picture" : !probe ? "Looking at the scene" + (scene.work ? percent : " ...")
+  badge.textContent = !live ? "No picture" : !probe ? `Looking at the ${kind}` + (scene.work ? percent : " ...")
     : is_exact() ? `Exact${exact.draft > 1 ? `, from a draft 1:${exact.draft}` : ""} (${figures_of(exact.seconds, 2)} s)`
     : "Live" + working;
 }
@@ -146,7 +147,7 @@ function show() {
     slider.min = Math.log(depths.least);
     slider.max = Math.log(depths.greatest);
     set_control("plane", figures_of(plane));
-    set_control("plane-slider", Math.log(plane), figures_of(plane) + " units from the scene's eye");
+    set_control("plane-slider", Math.log(plane), `${figures_of(plane)} ${element("plane-unit").textContent} from the ${kind}'s eye`);
     set_control("parallax", figures_of(parallax, 3));
     set_control("parallax-slider", Math.log(Math.max(parallax, 1e-3)), figures_of(parallax, 3) + " times");
   }

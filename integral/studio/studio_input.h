@@ -33,6 +33,9 @@ public:
 
     /// The name without folder and extension.
     virtual std::string name() const = 0;
+    /// The page's noun for it, and its unit of length.
+    virtual const char* kind() const = 0;
+    virtual const char* unit() const = 0;
     /// Width / height of the whole picture.
     virtual double aspect() const = 0;
     /// The files that it consists of. Throws InputError if they cannot be listed.

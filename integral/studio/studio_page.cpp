@@ -64,14 +64,20 @@ Json choices_with(const PlacementSettings& first)
 
 } // namespace
 
-std::string studio_page(const std::string& name, const PlacementSettings& first,
+std::string studio_page(const StudioInput& input, const PlacementSettings& first,
                         const ServerRequest& request)
 {
-    const std::string title = markup_text(name);
+    const std::string title = markup_text(input.name());
     return filled_template(studio_page_html,
                            {{"TITLE", title},
                             {"STYLE_NONCE", request.nonce},
+                            {"INPUT", input.kind()},
+                            {"INPUT", input.kind()},
+                            {"INPUT", input.kind()},
                             {"TITLE", title},
+                            {"INPUT", input.kind()},
+                            {"INPUT", input.kind()},
+                            {"UNIT", input.unit()},
                             {"SHEETS", json_within_html(choices_with(first).dump())},
                             {"REPLAY_SHADER", std::string(sheet_optics_glsl) + replay_page_glsl},
                             {"LIVE_SHADER", std::string(sheet_optics_glsl) + live_view_glsl},
