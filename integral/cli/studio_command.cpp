@@ -7,9 +7,11 @@
 #include "integral/cli/progress.h"
 #include "integral/frame/quilt_name.h"
 #include "integral/io/image_file.h"
+#include "integral/studio/mesh_input.h"
 #include "integral/studio/picture_input.h"
 #include "integral/studio/scene_input.h"
 #include "integral/studio/studio.h"
+#include "integral/wireframe/mesh_file.h"
 
 #include <cstdio>
 
@@ -18,7 +20,7 @@ namespace {
 
 struct StudioOptions : CommonOptions {
     SheetOptions sheet;
-    std::optional<std::string> start, panel, dpi, print, distance, views;
+    std::optional<std::string> start, panel, dpi, print, distance, views, turn;
     DepthSource depth;
     ViewOrderOptions given_views;
     FitOptions fit;
@@ -44,6 +46,9 @@ void declare(options::options_description& all, StudioOptions& o)
     add(all, "views", o.views, "CxR", "views of a quilt whose name has no number, across and up");
     declare(all, o.given_views);
     declare(all, o.fit);
+    add(all, "turn", o.turn, "X,Y,Z",
+        "of a mesh: degrees about x, then y, then z, as POV-Ray's rotate (90,0,0 for files whose "
+        "z is up)");
     add(all, "port", o.port, "PORT", "the port of the page (default: a free one)");
     add(all, "no-browser", o.no_browser, "print the page's address and do not open a browser");
 }
@@ -90,9 +95,11 @@ std::optional<double> aspect_of(const PlacementSettings& settings)
     return size.x > 0 ? std::optional(size.x / size.y) : std::nullopt;
 }
 
-/// The scene, and further words for povray-integral.
+/// The scene or mesh, and further words for povray-integral.
 std::unique_ptr<StudioInput> scene_input(const StudioOptions& o)
 {
+    const std::string& scene = o.inputs[0];
+    const bool is_mesh = names_mesh(scene);
     throw_if_given({{"depth", o.depth.depth},
                     {"depth-range", o.depth.range},
                     {"views", o.views},
@@ -100,13 +107,26 @@ std::unique_ptr<StudioInput> scene_input(const StudioOptions& o)
                     {"fit", o.fit.given},
                     {"right-to-left", o.given_views.right_to_left}},
                    "is for pictures, not for a scene");
-    return std::make_unique<SceneInput>(
-        o.inputs[0], std::vector<std::string>(o.inputs.begin() + 1, o.inputs.end()));
+    const std::vector<std::string> options(o.inputs.begin() + 1, o.inputs.end());
+    if (!is_mesh) {
+        throw_if_given({{"turn", o.turn}}, "is for a mesh");
+        return std::make_unique<SceneInput>(scene, options);
+    }
+    Vec3 turn;
+    read_vector("turn", o.turn, turn);
+    MeshReading reading;
+    reading.plain = {0.7f, 0.7f, 0.7f, 1};
+    reading.warn = [](const std::string& what) { say("studio", what); };
+    auto input = usage_checked(
+        scene + ": ", [&] { return std::make_unique<MeshInput>(scene, turn, reading, options); });
+    say("studio", scene + ": the scene around it is " + scene_of_mesh(scene));
+    return input;
 }
 
 /// Throws UsageError if the inputs or the depth cannot be those of pictures with depth.
 void check_pictures(const StudioOptions& o, const std::string& depth)
 {
+    throw_if_given({{"turn", o.turn}}, "is for a mesh");
     for (const std::string& input : o.inputs)
         if (input[0] == '+')
             throw UsageError(input + ": it is a word for a scene; a picture takes none");
@@ -168,7 +188,7 @@ PlacementSettings settings_of_picture(StudioOptions o)
 
 int run(const StudioOptions& o)
 {
-    const bool is_scene = names_scene(o.inputs[0]);
+    const bool is_scene = names_scene(o.inputs[0]) || names_mesh(o.inputs[0]);
     const PlacementSettings first = is_scene ? settings_of(o) : settings_of_picture(o);
     const std::unique_ptr<StudioInput> input = is_scene ? scene_input(o) : picture_input(o, first);
     StudioRenders renders(*input, aspect_of(first));
@@ -195,7 +215,8 @@ int run(const StudioOptions& o)
 const Command studio_command = {
     "studio",
     "a page on which a scene or a picture is placed on a sheet by dragging, live",
-    "SCENE [+W +H ...] | PICTURE [--depth HOW] | LEFT RIGHT [--panel NAME | --lpi N ...] [--dpi D] "
+    "SCENE [+W +H ...] | MESH | PICTURE [--depth HOW] | LEFT RIGHT [--panel NAME | --lpi N ...] "
+    "[--dpi D] "
     "[--print WxH] [--distance MM]",
     R"(Opens a page in a browser on this machine and prints its address. The page shows
 the scene through a lens sheet: drag the sheet through the scene, change the parallax,
@@ -207,6 +228,10 @@ settings file that povray-integral renders.
 The same is done with a picture and its depth (a grey picture, .pfm, RGBD, a phone's), a
 stereo pair, a quilt or a frame, whose depth is measured: integral views makes the print,
 and Save writes the geometry for that.
+
+Around a mesh (OBJ; STL, PLY, glTF and others where the program was built with Assimp) a
+scene with camera, lights, floor and wall is written: MESH.obj gives MESH.pov, which may be
+changed, and MESH-mesh.inc, which is written anew when the mesh changes.
 
 The options describe the sheet, printer and print, or the panel, to begin with (without
 them 60 lenses per inch); the page also lists the known sheets and panels. Words

@@ -8,6 +8,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/studio/approval_page.h \
   integral/studio/background_work.h \
   integral/studio/file_stamp.h \
+  integral/studio/mesh_input.cpp \
+  integral/studio/mesh_input.h \
   integral/studio/panel_window.cpp \
   integral/studio/panel_window.h \
   integral/studio/picture_input.cpp \

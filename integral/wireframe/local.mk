@@ -23,6 +23,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/wireframe/mesh.h \
   integral/wireframe/mesh_file.cpp \
   integral/wireframe/mesh_file.h \
+  integral/wireframe/mesh_scene.cpp \
+  integral/wireframe/mesh_scene.h \
   integral/wireframe/obj_file.cpp \
   integral/wireframe/obj_file.h \
   integral/wireframe/point_squares.cpp \

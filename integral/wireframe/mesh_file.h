@@ -7,6 +7,9 @@
 
 namespace integral {
 
+/// Whether a file's extension is that of a mesh, in a common format.
+bool names_mesh(const std::string& path);
+
 /// Reads Wavefront OBJ (.obj, and "-", standard input) by read_obj, and every other extension by
 /// Assimp, if the program was built with it. Coordinates are the file's own, with each object
 /// placed as the file says. Colours are the vertex's, else the material's, taken as sRGB values
