@@ -179,7 +179,8 @@ unit_sources = \
   tests/unit/views_parallel_views.cpp \
   tests/unit/views_picture_fit.cpp \
   tests/unit/wireframe.cpp \
-  tests/unit/wireframe_far.cpp
+  tests/unit/wireframe_far.cpp \
+  tests/unit/wireframe_scene.cpp
 
 # Programs for the scripts of tests/render: an oracle that shares nothing with libintegral, and a
 # comparer of PNGs.
