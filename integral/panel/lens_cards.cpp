@@ -30,7 +30,7 @@ constexpr double bar_share = 0.8;         // the part of its space that a bar fi
 constexpr double upright_share = 0.42;    // of the panel's longer side, that one block has
 constexpr double half_of_a_number = 0.36; // half the height of a digit, in em
 constexpr double least_pixels = 2;        // in a period
-constexpr float background = 0.5f;        // the light of lines of equal width
+constexpr float background = 0.5f;        // the mean light of lines
 
 // Bars are made for errors that are so many times the bounds: of a description, and of a reading.
 constexpr double first_margin = 1.2, reading_margin = 2.5;
@@ -97,8 +97,8 @@ int most_in(double across, bool upright)
     return std::max(wide, std::min(narrow, enough_bars));
 }
 
-/// A block of cards 1 and 2, without bars, for a part of the panel: its bars lie, or stand if it is
-/// upright. `bars` becomes their number and steps, and `space` mm from bar to bar.
+/// A block of cards 1 and 2, without bars, for a part of the panel. `bars` becomes their number and
+/// steps, and `space` mm from bar to bar.
 LensBlock block_for(const LensCard& card, const Box& box, bool upright, Steps& bars, double& space)
 {
     const double pitch = card.panel.sheet.pitch;

@@ -8,10 +8,10 @@
 //
 // The axes are the points with g.P = phase modulo 1. The wave vector g has the length 1/pitch and
 // is turned by the slant. Where a bar's lines have the wave vector h, the eye sees the light of the
-// place (h - g).P + const in their period: moire bands with the wave vector h - g. Along a bar that
-// lies, (h - g).x length bands are counted, and along one that stands (h - g).y length. So a bar
-// that lies is even if h.x is right, and one that stands if h.y is right, whatever the other
-// component is, as long as the bar is thin.
+// place (h - g).P + const in their period: moire bands with the wave vector h - g. A lying bar has
+// (h - g).x length bands, and an upright one (h - g).y length. So a lying bar is even if h.x is
+// right, and an upright one if h.y is right, whatever the other component is, as long as the bar is
+// thin.
 #ifndef INTEGRAL_PANEL_LENS_CARDS_H
 #define INTEGRAL_PANEL_LENS_CARDS_H
 
@@ -29,7 +29,7 @@ constexpr double first_slant_error = 1.5;  ///< degrees
 
 constexpr int lens_cards = 3;
 
-/// One step of the procedure. Cards 1 and 2 have a block of lying and a block of standing bars,
+/// One step of the procedure. Cards 1 and 2 have a block of lying and a block of upright bars,
 /// each bar with another wave vector about that of `panel`. Card 3 has four rows of short bars, at
 /// the panel's sides, each bar with another phase.
 struct LensCard {
@@ -61,7 +61,7 @@ struct LensBar {
 /// Bars that are compared with one another, numbered consecutively.
 struct LensBlock {
     std::vector<LensBar> bars;
-    bool upright = false;     ///< bars of cards 1 and 2 stand, and are read from left to right
+    bool upright = false;     ///< bars of cards 1 and 2 are upright; else they lie
     bool is_circle = false;   ///< the bar after the last is the first
     double step = 0;          ///< from bar to bar: 1/mm, or on card 3 periods
     double font = 0;          ///< the em of the numbers, mm
