@@ -184,9 +184,9 @@ BOOST_AUTO_TEST_CASE(subpixels_have_the_mean_light_of_their_areas)
         const LinearReader light(picture);
         for (const LensBlock& block : lens_blocks(card)) {
             const LensBar& bar = block.bars[2];
-            for (int k = 0; k < 6; ++k) {
-                const int x = bar.left + (2 * k + 1) * bar.width / 12,
-                          y = bar.top + (11 - 2 * k) * bar.height / 12;
+            for (int k = 0; k < 6; ++k) { // from one corner to the opposite one
+                const int x = bar.left + k * (bar.width - 1) / 5,
+                          y = bar.top + (5 - k) * (bar.height - 1) / 5;
                 const bool second = number == 1 && (block.upright ? x >= bar.left + bar.width / 2
                                                                   : y >= bar.top + bar.height / 2);
                 double mean[3] = {0, 0, 0};
@@ -209,6 +209,41 @@ BOOST_AUTO_TEST_CASE(subpixels_have_the_mean_light_of_their_areas)
             }
         }
     }
+}
+
+BOOST_AUTO_TEST_CASE(all_bars_of_a_block_have_the_same_phase_in_their_middles)
+{
+    const LensCard card = first_lens_card(panel_of(1.2, -15));
+    const Vec2 wave = wave_of(1.2, -15);
+    for (const LensBlock& block : lens_blocks(card))
+        for (const LensBar& bar : block.bars)
+            BOOST_TEST(std::fabs(dot(bar.wave - wave, middle_of(card.panel, bar) - bar.origin)) <
+                       0.01);
+}
+
+BOOST_AUTO_TEST_CASE(rows_are_at_the_sides_that_their_order_means)
+{
+    LensCard card = first_lens_card(panel_of(1.2, 9));
+    card.number = 3;
+    const auto blocks = lens_blocks(card);
+    BOOST_REQUIRE(blocks.size() == 4);
+    for (const LensBar& bar : blocks[0].bars)
+        BOOST_TEST(bar.top + bar.height < 1080 / 4);
+    for (const LensBar& bar : blocks[1].bars)
+        BOOST_TEST(bar.top > 3 * 1080 / 4);
+    for (const LensBar& bar : blocks[2].bars)
+        BOOST_TEST(bar.left + bar.width < 1920 / 4);
+    for (const LensBar& bar : blocks[3].bars)
+        BOOST_TEST(bar.left > 3 * 1920 / 4);
+}
+
+BOOST_AUTO_TEST_CASE(bars_are_wide_where_there_is_room)
+{
+    const auto blocks = lens_blocks(first_lens_card(panel_of(1.2, 9)));
+    for (const LensBar& bar : blocks[1].bars)
+        BOOST_TEST(bar.width * 0.25 > 9 * 1.2);
+    for (const LensBar& bar : blocks[0].bars)
+        BOOST_TEST(bar.height * 0.25 > 6 * 1.2);
 }
 
 BOOST_AUTO_TEST_CASE(bars_and_numbers_do_not_overlap_and_lie_on_the_panel)
