@@ -130,6 +130,7 @@ unit_sources = \
   tests/unit/optics_symmetries.cpp \
   tests/unit/optics_visual_pitch.cpp \
   tests/unit/panel_interlace.cpp \
+  tests/unit/panel_lens_cards.cpp \
   tests/unit/picture_bytes.h \
   tests/unit/picture_files.h \
   tests/unit/pixel_origins.h \

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 // integral lcd: turns frames, quilts and views into a light-field panel's image, and shows pictures
 // on a display.
-#include "integral/cli/lcd_options.h"
+#include "integral/cli/lcd_cards.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
 #include "integral/io/video.h"
@@ -97,6 +97,15 @@ void make_page(const LcdOptions& o, const LcdRequest& lcd, PanelImages& images,
                                                         group[0]));
 }
 
+/// The report on images as JSON, with the bars of a lenses' card.
+Json report_json(const LcdRequest& lcd, const Panel& panel, const Json& images)
+{
+    Json report = {{"panel", panel.name}, {"images", images}};
+    if (lcd.image.lens_card)
+        report["lens_card"] = lens_card_json(*lcd.image.lens_card);
+    return report;
+}
+
 /// --html, --show and -o: makes the images of all inputs, or a test card.
 void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
 {
@@ -136,7 +145,27 @@ void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
             return show_picture(frame.image, groups[k][0], lcd.showing);
     }
     if (o.json)
-        std::cout << Json{{"panel", panel.name}, {"images", report}}.dump(2) << '\n';
+        std::cout << report_json(lcd, panel, report).dump(2) << '\n';
+}
+
+/// Handles --card pitch: makes a card, or the description that the readings of cards give.
+void use_pitch_card(const LcdOptions& o, LcdRequest lcd, const Panel& panel)
+{
+    const auto card = lens_card_of(o, panel);
+    if (!card)
+        return make_images(o, lcd, panel);
+    if (panel.calibration && o.even)
+        say("lcd", lcd.panel + ": the readings take the place of the maker's calibration");
+    if (writes_panel(o, *card))
+        return write_lens_panel(o, *card);
+    const std::string text = usage_checked("--card pitch: ",
+                                           [&] { return lens_card_text(o, *card); });
+    if (!lcd.output.empty())
+        check_panel_file(lcd.output);
+    if (!o.json && lcd.output != "-")
+        std::cout << text << std::flush;
+    lcd.image.lens_card = card;
+    make_images(o, lcd, card->panel);
 }
 
 /// Handles --panel: makes images, or prints the panel's description.
@@ -161,6 +190,8 @@ void use_panel(const LcdOptions& o, const LcdRequest& lcd)
             ini_text(panel_render(panel, o.quilt || o.views
                                              ? std::optional(quilt_for(panel, lcd.image.views))
                                              : std::nullopt)));
+    if (lcd.card == PanelCard::pitch)
+        return use_pitch_card(o, lcd, panel);
     make_images(o, lcd, panel);
 }
 
@@ -185,7 +216,7 @@ void check_show_options(const LcdOptions& o)
 /// Handles everything without --panel.
 void use_display(const LcdOptions& o, const LcdRequest& lcd)
 {
-    if (o.output || o.html || o.card || o.camera || o.describe)
+    if (o.output || o.html || o.card || o.even || o.camera || o.describe)
         throw UsageError("--panel NAME|FILE.json is missing; --list prints the names");
     check_show_options(o);
     if (o.list_displays) {
@@ -229,7 +260,7 @@ const Command lcd_command = {
     "lcd",
     "frames, quilts and views on a light-field panel: its image, test cards; shown or played",
     "INPUT... --panel NAME|FILE.json (-o IMAGE | --html PAGE) | --panel NAME --card CARD "
-    "-o IMAGE | PICTURE --show DISPLAY | PICTURE... --play | --list",
+    "[--even BARS...] -o IMAGE | PICTURE --show DISPLAY | PICTURE... --play | --list",
     R"(Makes the image that a panel of pixels under a lens sheet has to be sent: every red, green and
 blue of it takes the colour of the view that it is seen in. INPUT is a quilt, or the files of all
 views: perspective pictures whose window lies on the panel, from eyes on a line across the
@@ -242,6 +273,11 @@ any other the views of its own zone are drawn first. Several frames or quilts ma
 Panels with a maker's calibration are interlaced by the mapping that its maker publishes,
 others through the exact optics of their lenses. The image carries the geometry of a frame, so that
 integral replay shows what eyes see of it; but where the panel is mirrored it does not.
+
+--card pitch measures lenses that were laid on a display by hand, as the chart of integral print
+measures a sheet: three cards with bars. --even takes the numbers of the bars that look even (on the
+third card: the brightest), once for each card; -o card2.png is then the next card, and -o panel.json
+the panel's description.
 
 --html writes a page that does the same in a browser, on machines without this program: one file
 with INPUT, also with a quilt video (.mp4, .webm). In full screen on the panel it shows the image.

@@ -86,8 +86,12 @@ void declare(options::options_description& all, LcdOptions& o)
         "how far the viewers are from the panel (default: as the panel says)");
     add(all, "card", o.card, "CARD",
         "a test card in place of INPUT: views (each its number and colour), crosstalk (one view "
-        "white), colours (red, green, blue and white bands in one view), pitch (bars of lines "
-        "about the calibrated pitch)");
+        "white), colours (red, green, blue and white bands in one view), pitch (three cards, by "
+        "which the eye measures the lenses' pitch, slant and phase)");
+    add(all, "even", o.even, "BARS",
+        "with --card pitch: the bars that look even, or on the third card the brightest, as 7,20; "
+        "again for each card that is read. -o IMAGE is then the next card, and -o FILE.json the "
+        "panel's description, corrected");
     add(all, "view", o.view, "K",
         "the view that --card crosstalk or colours lights, from 0, the leftmost, or lowest where "
         "lenses lie across (default: every other; the middle one)");
@@ -157,6 +161,8 @@ void check_panel_options(const LcdOptions& o, const LcdRequest& lcd)
         throw UsageError("INPUT is missing: a frame, a quilt or views");
     if (lcd.image.lit_view && lcd.card != PanelCard::crosstalk && lcd.card != PanelCard::colours)
         throw UsageError("--view is for --card crosstalk and --card colours");
+    if (lcd.card != PanelCard::pitch)
+        throw_if_given({{"even", o.even}}, "is for --card pitch");
 }
 
 Panel panel_of(const LcdRequest& lcd)

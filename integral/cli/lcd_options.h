@@ -12,6 +12,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace integral {
 
@@ -19,6 +20,7 @@ struct LcdOptions : CommonOptions {
     std::optional<std::string> output, html, panel, views, size, viewing_distance, card, show, fps,
         seconds;
     std::string blend = "linear", sampling = "linear";
+    std::optional<std::vector<std::string>> even;
     std::optional<int> view;
     bool encoded = false, list = false, describe = false, camera = false, quilt = false,
          play = false, loop = false, list_displays = false, json = false;

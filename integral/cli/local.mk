@@ -24,6 +24,8 @@ build_bin_integral_SOURCES += \
   integral/cli/geometry_options.cpp \
   integral/cli/geometry_options.h \
   integral/cli/layers_command.cpp \
+  integral/cli/lcd_cards.cpp \
+  integral/cli/lcd_cards.h \
   integral/cli/lcd_command.cpp \
   integral/cli/lcd_options.cpp \
   integral/cli/lcd_options.h \

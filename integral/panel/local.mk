@@ -8,6 +8,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/panel/interlace_avx2.h \
   integral/panel/interlace_rows.cpp \
   integral/panel/interlace_rows.h \
+  integral/panel/lens_cards.cpp \
+  integral/panel/lens_cards.h \
+  integral/panel/lens_readings.cpp \
+  integral/panel/lens_readings.h \
   integral/panel/panel_cards.cpp \
   integral/panel/panel_cards.h \
   integral/panel/panel_files.cpp \

@@ -27,6 +27,7 @@ std::vector<Image> crosstalk_card(int count, std::optional<int> lit);
 /// the same time, and the white band without colours.
 std::vector<Image> colour_card(int count, int lit);
 
+/// For lenses of any arrangement; lens_cards.h has better cards for lenticular ones.
 /// Bars of lines, each bar with another pitch, about the pitch that the panel's micro-images should
 /// have. The bar that looks even, without light and dark bands, has the right pitch; from bar to
 /// bar, the number of bands changes by a quarter. The picture is upright, as the viewer sees it.

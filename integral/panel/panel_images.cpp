@@ -455,7 +455,8 @@ PanelPictures PanelImages::pictures_of_card(PanelCard card) const
 {
     PanelPictures pictures;
     if (card == PanelCard::pitch) {
-        pictures.views = {as_sent(pitch_card(panel_))};
+        pictures.views = {as_sent(options_.lens_card ? lens_card_picture(*options_.lens_card)
+                                                     : pitch_card(panel_))};
         pictures.is_image = true;
         return pictures;
     }

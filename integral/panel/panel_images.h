@@ -6,6 +6,7 @@
 #include "integral/base/parallel.h"
 #include "integral/frame/frame.h"
 #include "integral/panel/interlace.h"
+#include "integral/panel/lens_cards.h"
 #include "integral/sheet/panel.h"
 #include "integral/views/view_input.h"
 
@@ -30,6 +31,8 @@ struct PanelImageOptions {
     int width = 0, height = 0;   ///< of each view of a frame, pixels; 0: 1000 on the longer side
     std::optional<int> lit_view; ///< for PanelCard::crosstalk (default: every other view) and
                                  ///< colours (default: the middle view)
+    std::optional<LensCard> lens_card; ///< for PanelCard::pitch: one of the lenses' cards in place
+                                       ///< of the chart of pitches
     int threads = 0;             ///< 0: one per core
     std::string panel_name = "the panel"; ///< the panel's name in messages
 

@@ -44,16 +44,6 @@ std::vector<ChartDirection> chart_directions(const LensSheet& sheet)
     return {direction(lattice.across(), 0.5), direction(lattice.along(), std::sqrt(0.75))};
 }
 
-void set_rectangle(const Film& film, double left, double top, double right, double bottom,
-                   ChartLines& bar)
-{
-    const auto pixels = [](double mm, double pitch) { return int(std::lround(mm / pitch)); };
-    bar.left = pixels(left, film.pixel_pitch.x);
-    bar.top = pixels(top, film.pixel_pitch.y);
-    bar.width = pixels(right, film.pixel_pitch.x) - bar.left;
-    bar.height = pixels(bottom, film.pixel_pitch.y) - bar.top;
-}
-
 double pixel_along(Vec2 wave, const Film& film)
 {
     return std::max(std::fabs(wave.x) * film.pixel_pitch.x, std::fabs(wave.y) * film.pixel_pitch.y);

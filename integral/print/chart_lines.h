@@ -5,6 +5,7 @@
 
 #include "integral/frame/image.h"
 
+#include <cmath>
 #include <vector>
 
 namespace integral {
@@ -32,9 +33,17 @@ struct ChartLines {
     int left, top, width, height;
 };
 
-/// Sets the bar's rectangle from its edges, mm from the page's left and top edges, to whole pixels.
-void set_rectangle(const Film& film, double left, double top, double right, double bottom,
-                   ChartLines& bar);
+/// Sets the rectangle of a bar (with left, top, width and height) from its edges, mm from the
+/// page's left and top edges, to whole pixels.
+template <class Bar>
+void set_rectangle(const Film& film, double left, double top, double right, double bottom, Bar& bar)
+{
+    const auto pixels = [](double mm, double pitch) { return int(std::lround(mm / pitch)); };
+    bar.left = pixels(left, film.pixel_pitch.x);
+    bar.top = pixels(top, film.pixel_pitch.y);
+    bar.width = pixels(right, film.pixel_pitch.x) - bar.left;
+    bar.height = pixels(bottom, film.pixel_pitch.y) - bar.top;
+}
 
 /// The greater of a pixel's width and height (mm), each projected onto the wave: lines whose period
 /// is only a few times this length cannot be drawn.
