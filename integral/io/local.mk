@@ -22,6 +22,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/exr_stream.h \
   integral/io/exr_views.cpp \
   integral/io/exr_views.h \
+  integral/io/ffmpeg_run.cpp \
+  integral/io/ffmpeg_run.h \
   integral/io/frame_rows.h \
   integral/io/html_page.cpp \
   integral/io/html_page.h \
