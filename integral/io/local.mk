@@ -77,4 +77,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/tiff_stream.h \
   integral/io/tiff_writer.cpp \
   integral/io/video.cpp \
-  integral/io/video.h
+  integral/io/video.h \
+  integral/io/video_reader.cpp \
+  integral/io/video_reader.h
