@@ -2,9 +2,9 @@
 // integral lcd: turns frames, quilts and views into a light-field panel's image, and shows pictures
 // on a display.
 #include "integral/cli/lcd_cards.h"
+#include "integral/cli/lcd_video.h"
 #include "integral/cli/values.h"
 #include "integral/io/image_file.h"
-#include "integral/io/video.h"
 #include "integral/panel/panel_files.h"
 #include "integral/panel/panel_page.h"
 #include "integral/screen/screen_text.h"
@@ -90,11 +90,11 @@ void make_page(const LcdOptions& o, const LcdRequest& lcd, PanelImages& images,
         throw UsageError("--html makes a page of one picture; several are given");
     check_outputs({o.html});
     const Arguments& group = groups[0];
-    write_file(*o.html, is_video(group[0]) ? panel_video_page(images, group[0])
-                                           : panel_page(images,
-                                                        lcd.card ? images.pictures_of(*lcd.card)
-                                                                 : pictures_of(o, images, group),
-                                                        group[0]));
+    write_file(*o.html, takes_whole_video(o) ? panel_video_page(images, group[0])
+                                             : panel_page(images,
+                                                          lcd.card ? images.pictures_of(*lcd.card)
+                                                                   : pictures_of(o, images, group),
+                                                          group[0]));
 }
 
 /// The report on images as JSON, with the bars of a lenses' card.
@@ -121,6 +121,8 @@ void make_images(const LcdOptions& o, const LcdRequest& lcd, const Panel& panel)
         make_page(o, lcd, images, groups);
     if (lcd.output.empty() && !o.show)
         return;
+    if (takes_whole_video(o))
+        return write_images_of_video(o, lcd, panel);
     Arguments paths(groups.size());
     if (!lcd.output.empty() && lcd.card) {
         check_panel_file(lcd.output);
@@ -171,11 +173,17 @@ void use_pitch_card(const LcdOptions& o, LcdRequest lcd, const Panel& panel)
 /// Handles --panel: makes images, or prints the panel's description.
 void use_panel(const LcdOptions& o, const LcdRequest& lcd)
 {
-    if (o.play || o.list_displays)
-        throw UsageError("--panel does not work with --play or --list-displays: make the images "
-                         "with -o, then play them");
-    throw_if_given({{"fps", o.fps}, {"loop", o.loop}}, "is for --play");
-    if (o.seconds && !o.show)
+    const bool has_video = takes_whole_video(o);
+    if (o.list_displays)
+        throw UsageError("--list-displays takes no other option");
+    if (o.play && !has_video)
+        throw UsageError("--panel with --play takes a quilt video; make the images of other "
+                         "pictures with -o, then play them");
+    if (o.play)
+        throw_if_given({{"output", o.output}, {"html", o.html}}, "does not work with --play");
+    else
+        throw_if_given({{"fps", o.fps}, {"loop", o.loop}}, "is for --play");
+    if (o.seconds && !o.show && !o.play)
         throw UsageError("--seconds is for --show and --play");
     check_panel_options(o, lcd);
     const Panel panel = panel_of(lcd);
@@ -192,6 +200,8 @@ void use_panel(const LcdOptions& o, const LcdRequest& lcd)
                                              : std::nullopt)));
     if (lcd.card == PanelCard::pitch)
         return use_pitch_card(o, lcd, panel);
+    if (o.play)
+        return play_on_panel(o, lcd, panel);
     make_images(o, lcd, panel);
 }
 
@@ -219,22 +229,21 @@ void use_display(const LcdOptions& o, const LcdRequest& lcd)
     if (o.output || o.html || o.card || o.even || o.camera || o.describe)
         throw UsageError("--panel NAME|FILE.json is missing; --list prints the names");
     check_show_options(o);
+    const bool has_video = takes_whole_video(o);
     if (o.list_displays) {
         const Desktop desktop;
         return print(o.json, screens_json(desktop.screens()), screens_text(desktop.screens()));
     }
-    if (o.play) {
-        const PlayReport report = play_files(o.inputs, lcd.playing, lcd.showing);
-        if (report.shown > 0)
-            print(o.json, play_json(report), play_text(report));
-        if (report.interrupted)
-            throw Interrupted();
-        return;
-    }
+    if (o.play && has_video)
+        return play_as_it_is(o, lcd);
+    if (o.play)
+        return print_play_report(o, play_files(o.inputs, lcd.playing, lcd.showing));
     if (!o.show)
         throw UsageError("there is nothing to do; --panel NAME with -o FILE makes a panel's image, "
                          "--show and --play show pictures");
-    const Image picture = read_views(o.inputs[0], false).image;
+    const Image picture = lcd.image.video_time
+                              ? picture_of_video(o.inputs[0], *lcd.image.video_time)
+                              : read_views(o.inputs[0], false).image;
     stop_if_interrupted();
     show_picture(picture, o.inputs[0], lcd.showing);
 }
@@ -269,6 +278,8 @@ from the lowest eye (integral views --eyes makes such).
 Or it is a picture with depth (RGBD, a phone's), or a stereo pair: its views are drawn by depth.
 Or it is a frame: one rendered for the panel (--camera says how) is passed through to the bit; of
 any other the views of its own zone are drawn first. Several frames or quilts make several images.
+Or it is a quilt video (.mp4, .webm; needs the program ffmpeg): --play shows it on the panel, -o
+writes the image of each of its pictures, and --at takes one.
 
 Panels with a maker's calibration are interlaced by the mapping that its maker publishes,
 others through the exact optics of their lenses. The image carries the geometry of a frame, so that
@@ -280,7 +291,7 @@ third card: the brightest), once for each card; -o card2.png is then the next ca
 the panel's description.
 
 --html writes a page that does the same in a browser, on machines without this program: one file
-with INPUT, also with a quilt video (.mp4, .webm). In full screen on the panel it shows the image.
+with INPUT, also with a quilt video. In full screen on the panel it shows the image.
 
 --show and --play bring pictures to a display pixel for pixel; they are never scaled. 8-bit samples
 reach it as they are; 16-bit ones are rounded, linear light becomes sRGB, transparent parts black.

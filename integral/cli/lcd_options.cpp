@@ -29,6 +29,8 @@ PanelImageOptions image_options(const LcdOptions& o)
     if (o.views)
         image.views = parse_view_grid(*o.views);
     image.aspect = o.given_views.aspect();
+    if (o.at)
+        image.video_time = parse_video_time(*o.at);
     image.right_to_left = o.given_views.right_to_left;
     image.fit = o.fit.value();
     image.blend = {meaning_of("blend", o.blend, neighbours_choices),
@@ -48,8 +50,9 @@ PanelImageOptions image_options(const LcdOptions& o)
 void declare(options::options_description& all, LcdOptions& o)
 {
     add(all, "output,o", o.output, "FILE",
-        "the panel's image: .png, .tiff or .exr; of several frames or quilts files with numbers "
-        "before the extension, or a folder that is there already, for files of the inputs' names");
+        "the panel's image: .png, .tiff or .exr; of several frames or quilts, or a quilt video, "
+        "files with numbers before the extension, or a folder that is there already, for files of "
+        "the inputs' names");
     add(all, "html", o.html, "PAGE",
         "a page that drives the panel: one file, with INPUT as a quilt, which a browser with WebGL "
         "2 interlaces and shows on the panel in full screen; each subpixel is that of -o");
@@ -84,6 +87,8 @@ void declare(options::options_description& all, LcdOptions& o)
         "by depth (default: as in the quilt for the panel)");
     add(all, "viewing-distance", o.viewing_distance, "MM",
         "how far the viewers are from the panel (default: as the panel says)");
+    add(all, "at", o.at, "S",
+        "of a quilt video only the picture at S seconds: its first one from then on");
     add(all, "card", o.card, "CARD",
         "a test card in place of INPUT: views (each its number and colour), crosstalk (one view "
         "white), colours (red, green, blue and white bands in one view), pitch (three cards, by "
@@ -108,10 +113,12 @@ void declare(options::options_description& all, LcdOptions& o)
         "show the picture on this display, pixel for pixel: its number or name, or auto, the only "
         "one of the picture's size. Escape, q or Ctrl-C ends it");
     add(all, "play", o.play,
-        "show all pictures one after another, on the display of --show (default auto); the space "
-        "bar pauses");
+        "show all pictures, or those of a video, one after another, on the display of --show "
+        "(default auto); with --panel each picture of a quilt video is interlaced as it plays; the "
+        "space bar pauses");
     add(all, "fps", o.fps, "N",
-        "with --play: pictures a second (default 30); late ones are dropped and counted");
+        "with --play: pictures a second (default: a video's own rate, else 30); late ones are "
+        "dropped and counted");
     add(all, "loop", o.loop, "with --play: begin again after the last");
     add(all, "seconds", o.seconds, "S", "with --show and --play: end by itself after so long");
     add(all, "list-displays", o.list_displays,
@@ -130,7 +137,8 @@ LcdRequest lcd_request(const LcdOptions& o)
         request.card = meaning_of("card", *o.card, card_choices);
     request.showing.display = o.show.value_or(request.showing.display);
     read_up_to("seconds", o.seconds, 1e7, request.showing.seconds);
-    read_up_to("fps", o.fps, 1000, request.playing.rate);
+    if (o.fps)
+        read_up_to("fps", o.fps, 1000, request.playing.rate.emplace());
     request.playing.loop = o.loop;
     request.image = image_options(o);
     request.playing.threads = request.image.threads;
@@ -155,8 +163,8 @@ void check_panel_options(const LcdOptions& o, const LcdRequest& lcd)
         throw_if_given({{"html", o.html}}, "is for pictures and cards");
     if (o.html && (o.html->empty() || *o.html == lcd.output))
         throw UsageError("--html: the name of a file is expected, other than that of -o");
-    if (!o.describe && !o.camera && lcd.output.empty() && !o.show && !o.html)
-        throw UsageError("-o FILE is missing, --html PAGE, or --show DISPLAY");
+    if (!o.describe && !o.camera && lcd.output.empty() && !o.show && !o.play && !o.html)
+        throw UsageError("-o FILE is missing, --html PAGE, or --show DISPLAY or --play");
     if (!o.describe && !o.camera && !lcd.card && o.inputs.empty())
         throw UsageError("INPUT is missing: a frame, a quilt or views");
     if (lcd.image.lit_view && lcd.card != PanelCard::crosstalk && lcd.card != PanelCard::colours)

@@ -17,8 +17,8 @@
 namespace integral {
 
 struct LcdOptions : CommonOptions {
-    std::optional<std::string> output, html, panel, views, size, viewing_distance, card, show, fps,
-        seconds;
+    std::optional<std::string> output, html, panel, views, size, viewing_distance, card, at, show,
+        fps, seconds;
     std::string blend = "linear", sampling = "linear";
     std::optional<std::vector<std::string>> even;
     std::optional<int> view;

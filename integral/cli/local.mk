@@ -29,6 +29,8 @@ build_bin_integral_SOURCES += \
   integral/cli/lcd_command.cpp \
   integral/cli/lcd_options.cpp \
   integral/cli/lcd_options.h \
+  integral/cli/lcd_video.cpp \
+  integral/cli/lcd_video.h \
   integral/cli/main.cpp \
   integral/cli/mask_command.cpp \
   integral/cli/multiview_command.cpp \

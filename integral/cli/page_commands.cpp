@@ -65,7 +65,7 @@ PageOption page_option(const std::string& command, const options::option_descrip
     option.name = "--" + declared.long_name();
     const std::string shortest = declared.canonical_display_name(
         options::command_line_style::allow_dash_for_short);
-    if (shortest != option.name && shortest.size() == 2)
+    if (shortest.size() == 2 && shortest[0] == '-') // not a long name of two letters
         option.letter = shortest;
     option.description = declared.description();
     if (declared.semantic()->max_tokens() == 0)

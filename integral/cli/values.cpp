@@ -249,4 +249,9 @@ ViewGrid parse_view_grid(const std::string& text)
     return {size.width, size.height};
 }
 
+double parse_video_time(const std::string& text)
+{
+    return parse_number_between("at", text, "a number of seconds", 0, 1e6, "0 to 1000000 s");
+}
+
 } // namespace integral

@@ -111,6 +111,9 @@ constexpr int most_views_a_side = 256;
 /// Parses CxR views, the value of --views.
 ViewGrid parse_view_grid(const std::string& text);
 
+/// Parses seconds, the value of --at.
+double parse_video_time(const std::string& text);
+
 } // namespace integral
 
 #endif

@@ -7,6 +7,7 @@
 #include "integral/io/image_file.h"
 #include "integral/views/view_export.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace integral {
@@ -58,6 +59,10 @@ void declare(options::options_description& all, ViewsOptions& o)
     add(all, "sheet", o.sheet, "FILE.json",
         "geometry of the frame (integral sheet FRAME --json writes it), if the pictures do not "
         "carry it, or instead of that");
+    add(all, "at", o.at, "S",
+        "with --to-frame: the picture of a quilt video (.mp4, .webm; needs the program ffmpeg) at "
+        "S "
+        "seconds: its first one from then on");
     declare(all, o.given_views);
     declare(all, o.fit);
     declare(all, o.threads);
@@ -104,9 +109,24 @@ int make_views(const ViewsOptions& o, const std::string& output, bool animated, 
     return exit_done;
 }
 
+/// Throws UsageError if --at or other options do not go with a video, or without one.
+void check_video(const ViewsOptions& o)
+{
+    const auto video = std::find_if(o.inputs.begin(), o.inputs.end(), is_video);
+    if (video == o.inputs.end())
+        return throw_if_given({{"at", o.at}}, "is for videos");
+    if (!o.to_frame)
+        throw UsageError(*video + ": it is a video, not a frame; --to-frame --at SECONDS makes a "
+                                  "frame of one of its quilts, and integral lcd shows it");
+    if (o.inputs.size() > 1 || !o.at)
+        throw UsageError(*video + ": --at SECONDS selects one of its pictures, as the only INPUT");
+    throw_if_given({{"depth", o.depth.depth}}, "does not work with a video");
+}
+
 /// Throws UsageError for options that exclude each other. `depth`: by_depth.
 void check_options(const ViewsOptions& o, bool animated, bool depth)
 {
+    check_video(o);
     if (o.files && (o.to_frame || animated))
         throw UsageError(std::string("--files does not work with ") +
                          (o.to_frame ? "--to-frame" : "an animation"));

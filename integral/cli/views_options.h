@@ -12,7 +12,7 @@
 namespace integral {
 
 struct ViewsOptions : CommonOptions {
-    std::optional<std::string> output, views, size, sheet, panel, rgbd;
+    std::optional<std::string> output, views, size, sheet, panel, rgbd, at;
     DepthSource depth;
     bool eyes = false, files = false, upright = false, to_frame = false;
     FitOptions fit;

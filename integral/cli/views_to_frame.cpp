@@ -25,6 +25,8 @@ ViewInput given_views(const ViewsOptions& o)
     request.needs_geometry = !o.sheet;
     request.of_eyes = o.eyes;
     request.aspect = o.given_views.aspect();
+    if (o.at)
+        request.video_time = parse_video_time(*o.at);
     return read_given_views(o.inputs, request);
 }
 

@@ -22,6 +22,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/exr_stream.h \
   integral/io/exr_views.cpp \
   integral/io/exr_views.h \
+  integral/io/ffmpeg_run.cpp \
+  integral/io/ffmpeg_run.h \
   integral/io/frame_rows.h \
   integral/io/html_page.cpp \
   integral/io/html_page.h \
@@ -75,4 +77,6 @@ build_lib_libintegral_a_SOURCES += \
   integral/io/tiff_stream.h \
   integral/io/tiff_writer.cpp \
   integral/io/video.cpp \
-  integral/io/video.h
+  integral/io/video.h \
+  integral/io/video_reader.cpp \
+  integral/io/video_reader.h

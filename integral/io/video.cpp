@@ -5,12 +5,12 @@
 #include "integral/base/interrupt.h"
 #include "integral/base/number_text.h"
 #include "integral/base/programs.h"
+#include "integral/io/ffmpeg_run.h"
 
 #include <cerrno>
 #include <cmath>
-#include <csignal>
 #include <cstring>
-#include <fcntl.h>
+#include <optional>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -70,37 +70,24 @@ class Video::Encoder {
 public:
     explicit Encoder(const std::vector<std::string>& words)
     {
-        int input[2] = {-1, -1}, said[2] = {-1, -1};
-        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input) != 0 ||
-            pipe2(said, O_CLOEXEC) != 0)
-            error_ = errno;
-        input_ = input[0];
-        said_ = said[0];
-        if (error_ == 0) {
-            const StartedProgram started = start_program(words, input[1], -1, said[1]);
-            process_ = started.process;
-            error_ = started.error;
-        }
-        for (const int end : {input[1], said[1]})
-            if (end >= 0)
-                close(end);
+        int ends[2] = {-1, -1};
+        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+            throw OutputError(std::string("ffmpeg: ") + std::strerror(errno));
+        input_ = ends[0];
+        program_.emplace(words, ends[1], -1);
+        close(ends[1]);
     }
 
     ~Encoder()
     {
-        for (const int end : {input_, said_})
-            if (end >= 0)
-                close(end);
-        if (process_ > 0) {
-            kill(process_, SIGKILL);
-            wait_for_program(process_);
-        }
+        if (input_ >= 0)
+            close(input_);
     }
 
     /// Writes to ffmpeg; returns whether it has taken all bytes.
     bool write(const std::uint8_t* bytes, std::size_t count)
     {
-        while (error_ == 0 && count > 0) {
+        while (program_->has_started() && count > 0) {
             const ssize_t sent = send(input_, bytes, count, MSG_NOSIGNAL);
             if (sent < 0 && errno != EINTR)
                 return false;
@@ -108,7 +95,7 @@ public:
             bytes += sent > 0 ? sent : 0;
             count -= sent > 0 ? std::size_t(sent) : 0;
         }
-        return error_ == 0;
+        return program_->has_started();
     }
 
     /// Closes ffmpeg's input and waits for its end. Returns the error; empty if there is none.
@@ -116,26 +103,12 @@ public:
     {
         close(input_);
         input_ = -1;
-        std::string text;
-        char some[4096];
-        for (ssize_t n; error_ == 0 && (n = read(said_, some, sizeof some)) != 0;)
-            if (n > 0)
-                text.append(some, std::size_t(n));
-            else if (errno != EINTR)
-                break;
-        const int status = process_ > 0 ? wait_for_program(process_) : -1;
-        process_ = -1;
-        if (error_ != 0)
-            return std::strerror(error_);
-        if (status == 0)
-            return "";
-        const std::string line = text.substr(0, text.find('\n'));
-        return line.empty() ? "it ended with status " + std::to_string(status) : line;
+        return program_->end();
     }
 
 private:
-    pid_t process_ = -1;
-    int input_ = -1, said_ = -1, error_ = 0;
+    int input_ = -1;
+    std::optional<FfmpegRun> program_;
 };
 
 bool is_video(const std::string& path)

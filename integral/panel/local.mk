@@ -2,6 +2,8 @@
 # Sources of integral/panel: one line per file, headers too.
 
 build_lib_libintegral_a_SOURCES += \
+  integral/panel/blended_values.cpp \
+  integral/panel/blended_values.h \
   integral/panel/interlace.cpp \
   integral/panel/interlace.h \
   integral/panel/interlace_avx2.cpp \
@@ -21,7 +23,9 @@ build_lib_libintegral_a_SOURCES += \
   integral/panel/panel_mapping.cpp \
   integral/panel/panel_mapping.h \
   integral/panel/panel_page.cpp \
-  integral/panel/panel_page.h
+  integral/panel/panel_page.h \
+  integral/panel/quilt_sequence.cpp \
+  integral/panel/quilt_sequence.h
 
 # The page's own files.
 page_files += \

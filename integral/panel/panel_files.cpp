@@ -70,4 +70,25 @@ std::vector<std::string> panel_files(const std::string& output,
     return paths;
 }
 
+std::string sequence_path(const std::string& output, const std::string& video)
+{
+    if (output == "-")
+        throw RequestError("-o -: a video's images need a name or a folder");
+    if (is_animation(output))
+        throw RequestError("-o " + output +
+                           ": compression mixes the colours of neighbouring subpixels; -o NAME.png "
+                           "writes numbered images, and --play shows them at once");
+    const std::filesystem::path folder(output);
+    const std::string path = std::filesystem::is_directory(folder)
+                                 ? (folder / std::filesystem::path(without_grid(video)).stem())
+                                           .string() +
+                                       ".png"
+                                 : output;
+    if (path.back() == '/')
+        throw OutputError(path + ": there is no such folder; make it first");
+    check_name(path);
+    check_writable(path);
+    return path;
+}
+
 } // namespace integral

@@ -19,6 +19,10 @@ void check_panel_file(const std::string& path);
 std::vector<std::string> panel_files(const std::string& output,
                                      const std::vector<std::vector<std::string>>& groups);
 
+/// The path that gets numbers before its extension for the images of a video's quilts: `output`, or
+/// a .png file in the folder `output`, named after the video. Throws as panel_files does.
+std::string sequence_path(const std::string& output, const std::string& video);
+
 } // namespace integral
 
 #endif

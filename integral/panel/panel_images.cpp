@@ -5,6 +5,7 @@
 #include "integral/base/number_text.h"
 #include "integral/frame/quilt_name.h"
 #include "integral/io/image_file.h"
+#include "integral/io/video.h"
 #include "integral/panel/panel_cards.h"
 #include "integral/replay/arrange.h"
 #include "integral/views/parallel_views.h"
@@ -161,6 +162,12 @@ std::optional<std::string> missing_views(const LensSheet& frame, const LensSheet
 
 } // namespace
 
+bool blends_light(Blend blend, const PanelImageOptions& options)
+{
+    const bool blends = blend.views == Neighbours::linear || blend.pixels == Neighbours::linear;
+    return blends && !options.encoded;
+}
+
 Image over_black(const Image& picture, int bits, Encoding encoding)
 {
     if (picture.channels == 3)
@@ -208,15 +215,14 @@ std::vector<std::vector<std::string>> PanelImages::groups(
     return each;
 }
 
-Image PanelImages::as_sent(const Image& upright) const
+Image PanelImages::as_sent(Image upright) const
 {
     return panel_.mirrored_x || panel_.mirrored_y
                ? mirrored(upright, panel_.mirrored_x, panel_.mirrored_y)
                : upright;
 }
 
-/// Makes a frame of the image sent to the panel. `zone`: the eyes' zone; default: the panel's.
-Frame PanelImages::finished(Image image, std::optional<Aperture> zone) const
+Frame PanelImages::frame_of_image(Image image, std::optional<Aperture> zone) const
 {
     Frame frame{std::move(image), std::nullopt};
     if (panel_.mirrored_x || panel_.mirrored_y)
@@ -283,10 +289,9 @@ Frame PanelImages::image_of(PanelPictures pictures)
     std::vector<Image>& views = pictures.views;
     views_ = pictures.is_image ? 0 : pictures.grid.count();
     if (pictures.is_image)
-        return finished(std::move(views[0]), pictures.zone);
+        return frame_of_image(std::move(views[0]), pictures.zone);
     const Blend blend = pictures.blend;
-    const bool blends = blend.views == Neighbours::linear || blend.pixels == Neighbours::linear;
-    const bool light = blends && !options_.encoded;
+    const bool light = blends_light(blend, options_);
     const Encoding encoding = sample_bits(views[0]) > 16 ? Encoding() : views[0].encoding;
     const int bits = std::min(16, sample_bits(views[0]));
     for (Image& view : views) {
@@ -297,16 +302,16 @@ Frame PanelImages::image_of(PanelPictures pictures)
     Image image = panel_image(raster, panel_.film.width, panel_.film.height);
     interlace(image, raster, mapping_for(pictures), blend, options_.threads);
     if (!panel_.calibration) // a calibration's mapping is for the image as it is sent
-        image = as_sent(image);
-    return finished(light ? converted(image, bits, encoding, false) : std::move(image),
-                    pictures.zone);
+        image = as_sent(std::move(image));
+    return frame_of_image(light ? converted(image, bits, encoding, false) : std::move(image),
+                          pictures.zone);
 }
 
 /// Reads the frame, with metadata, that a group consists of; nothing if the group has views.
 std::optional<Frame> PanelImages::read_frame_of(const std::vector<std::string>& group) const
 {
     const std::string& name = group[0];
-    if (group.size() > 1 || quilt_in_name(name) || is_list_of_views(name) ||
+    if (group.size() > 1 || quilt_in_name(name) || is_list_of_views(name) || is_video(name) ||
         read_views(name, true).metadata)
         return std::nullopt;
     Frame frame = read_frame(name);
@@ -325,6 +330,7 @@ ViewInput PanelImages::read_views_of(const std::vector<std::string>& group) cons
     request.grid = options_.views;
     request.of_eyes = true;
     request.aspect = options_.aspect;
+    request.video_time = options_.video_time;
     ViewInput views = read_given_views(group, request);
     if (options_.right_to_left)
         turn_right_to_left(views.views, directions_of(views.grid, geometry_.sheet));

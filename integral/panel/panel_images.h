@@ -24,6 +24,7 @@ struct PanelImageOptions {
     /// panel's pixels per lens, rounded, for a card 8, or 4 x 4 behind round lenses.
     std::optional<ViewGrid> views;
     std::optional<double> aspect; ///< shape of given views, as in ViewsRequest
+    std::optional<double> video_time; ///< selects a quilt video's picture, as in ViewsRequest
     bool right_to_left = false;   ///< views in files stand from right to left
     Fit fit = Fit::contain;       ///< for frames and views of another shape than the panel's
     Blend blend;
@@ -41,6 +42,9 @@ struct PanelImageOptions {
     /// Makes the Progress of a long task from its name.
     std::function<Progress(const char*)> progress = [](const char*) { return Progress(); };
 };
+
+/// Whether views are converted to linear light to be blended.
+bool blends_light(Blend blend, const PanelImageOptions& options);
 
 /// The pictures that a panel's image is interlaced from, and their places; or the image itself.
 struct PanelPictures {
@@ -93,6 +97,13 @@ public:
     /// Interrupted.
     const PanelMapping& mapping_for(const PanelPictures& pictures);
 
+    /// The image as it is sent to the panel, mirrored if the panel is.
+    Image as_sent(Image upright) const;
+
+    /// A frame of the image sent to the panel, with its geometry unless the panel is mirrored.
+    /// `zone`: the eyes' zone; default: the panel's.
+    Frame frame_of_image(Image image, std::optional<Aperture> zone = std::nullopt) const;
+
     const Panel& panel() const { return panel_; }
     const PanelImageOptions& options() const { return options_; }
 
@@ -110,8 +121,6 @@ private:
     void map_picture(const FittedPicture& picture, std::optional<EyeGrid> eyes);
     void map_through_lenses(std::optional<EyeGrid> eyes);
     FittedPicture fitted_to_panel(double shape) const;
-    Image as_sent(const Image& upright) const;
-    Frame finished(Image image, std::optional<Aperture> zone) const;
 
     const Panel panel_;
     const PanelImageOptions options_;

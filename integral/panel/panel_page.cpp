@@ -6,6 +6,7 @@
 #include "integral/base/json.h"
 #include "integral/io/html_page.h"
 #include "integral/io/markup.h"
+#include "integral/panel/blended_values.h"
 #include "integral/views/quilt.h"
 
 namespace integral {
@@ -71,26 +72,15 @@ PhaseTable shift_of(const PanelMapping& mapping)
 Json light_of(const PanelImages& images, const Blend& blend, Encoding encoding)
 {
     std::vector<int> light(256), least;
-    const bool blends = blend.views == Neighbours::linear || blend.pixels == Neighbours::linear;
-    if (!blends || images.options().encoded) {
+    if (!blends_light(blend, images.options())) {
         for (int value = 0; value < 256; ++value)
             light[value] = value;
         return {{"light", light}, {"least", light}};
     }
-    const Encoding linear{Encoding::Kind::linear, 1};
-    Image stored = make_image<std::uint8_t>(256, 1, channels, encoding);
-    Image all = make_image<std::uint16_t>(65536, 1, channels, linear);
-    for (int i = 0; i < 256 * channels; ++i)
-        std::get<std::vector<std::uint8_t>>(stored.samples)[i] = std::uint8_t(i / channels);
-    for (int i = 0; i < 65536 * channels; ++i)
-        std::get<std::vector<std::uint16_t>>(all.samples)[i] = std::uint16_t(i / channels);
-    stored = converted(stored, 16, linear, false);
-    all = converted(all, 8, encoding, false);
-    for (int value = 0; value < 256; ++value)
-        light[value] = std::get<std::vector<std::uint16_t>>(stored.samples)[value * channels];
-    const auto& samples = std::get<std::vector<std::uint8_t>>(all.samples);
-    for (int value = 0; value < 65536; ++value)
-        while (int(least.size()) <= samples[value * channels])
+    const BlendedValues values = blended_values(encoding);
+    light.assign(values.light.begin(), values.light.end());
+    for (int value = 0; value < int(values.stored.size()); ++value)
+        while (int(least.size()) <= values.stored[std::size_t(value)])
             least.push_back(value);
     return {{"light", light}, {"least", least}};
 }

@@ -56,9 +56,9 @@ public:
     static constexpr int reach_around = 2;
 
     /// Whether a camera's frames can be reconstructed. Not with a film of subpixels (whose channels
-    /// have separate beams), several rays per pixel, a projection lens, a pseudoscopic camera, or
-    /// beams other than a lens's cell times a pixel's area (display_prefilter, lens models full and
-    /// hybrid).
+    /// have separate beams; see IntegralStripes), several rays per pixel, a projection lens, a
+    /// pseudoscopic camera, or beams other than a lens's cell times a pixel's area
+    /// (display_prefilter, lens models full and hybrid).
     static bool possible(const IntegralCamera& camera);
 
     static constexpr std::size_t bytes_a_pixel = 34;

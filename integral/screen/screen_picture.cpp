@@ -2,6 +2,7 @@
 #include "integral/screen/screen_picture.h"
 
 #include <algorithm>
+#include <limits>
 #include <unistd.h>
 
 namespace integral {
@@ -32,10 +33,12 @@ int pictures_to_keep(std::size_t bytes_each)
     return std::clamp(int(most / double(std::max<std::size_t>(bytes_each, 1 << 20))), 2, 64);
 }
 
-PicturesAhead::PicturesAhead(Source source) : source_(std::move(source))
+PicturesAhead::PicturesAhead(Source source)
+    : source_(std::move(source)),
+      count_(source_.read ? std::numeric_limits<long long>::max() : source_.count)
 {
-    if (source_.count <= source_.keep)
-        files_.resize(std::size_t(source_.count));
+    if (count_ <= source_.keep)
+        files_.resize(std::size_t(count_));
     for (int k = 0; k < std::min(source_.threads, source_.keep); ++k)
         threads_.emplace_back([this] { work(); });
 }
@@ -55,44 +58,71 @@ bool PicturesAhead::may_begin() const
 {
     // A retained file waits for the thread that is already decoding it.
     const bool waits = !files_.empty() && begun_.count(file(next_)) > 0;
-    return (source_.loop || next_ < source_.count) && !waits &&
+    return (source_.loop || next_ < count_) && !waits &&
            int(ready_.size() + begun_.size()) < source_.keep;
 }
 
 void PicturesAhead::work()
 {
-    std::unique_lock<std::mutex> lock(mutex_);
-    for (;;) {
-        room_.wait(lock, [this] { return stop_ || failure_ || may_begin(); });
-        if (stop_ || failure_)
-            return;
-        const long long number = next_++;
-        const std::size_t which = file(number);
-        std::shared_ptr<const ScreenPicture> picture = files_.empty() ? nullptr : files_[which];
-        const auto begun = begun_.insert(which);
-        if (!picture) {
-            lock.unlock();
-            std::exception_ptr failure;
-            try {
-                picture = std::make_shared<const ScreenPicture>(
-                    source_.load(static_cast<long long>(which)));
-            } catch (...) {
-                failure = std::current_exception();
-            }
-            lock.lock();
-            if (failure) {
-                failure_ = failure;
-                room_.notify_all();
-                return;
-            }
-        }
-        begun_.erase(begun);
-        if (!files_.empty())
-            files_[which] = picture;
-        if (number > taken_)
-            ready_.emplace(number, std::move(picture));
-        room_.notify_all();
+    while (decode_next()) {
     }
+}
+
+/// Reads or loads the picture of a file, which is not among files_. Returns nothing if it is
+/// overdue or past the end. `turn`: a lock of turn_, held until the picture has been read.
+std::shared_ptr<const ScreenPicture> PicturesAhead::decode(long long number, long long file,
+                                                           std::unique_lock<std::mutex> turn)
+{
+    if (!source_.read)
+        return std::make_shared<const ScreenPicture>(source_.load(file));
+    const Completion complete = source_.read(file);
+    bool is_overdue = false;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!complete && number < count_)
+            next_ = count_ = number;
+        is_overdue = number < due_;
+    }
+    turn.unlock();
+    return complete && !is_overdue ? std::make_shared<const ScreenPicture>(complete()) : nullptr;
+}
+
+/// Decodes one picture as soon as there is room. Returns false if decoding is to end.
+bool PicturesAhead::decode_next()
+{
+    std::unique_lock<std::mutex> turn(turn_, std::defer_lock);
+    if (source_.read)
+        turn.lock();
+    std::unique_lock<std::mutex> lock(mutex_);
+    room_.wait(lock, [this] { return stop_ || failure_ || may_begin(); });
+    if (stop_ || failure_)
+        return false;
+    const long long number = next_++;
+    const std::size_t which = file(number);
+    std::shared_ptr<const ScreenPicture> picture = files_.empty() ? nullptr : files_[which];
+    const auto begun = begun_.insert(which);
+    if (!picture) {
+        lock.unlock();
+        std::exception_ptr failure;
+        try {
+            picture = decode(number, static_cast<long long>(which), std::move(turn));
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        lock.lock();
+        if (failure) {
+            failure_ = failure;
+            room_.notify_all();
+            return false;
+        }
+    }
+    begun_.erase(begun);
+    if (!files_.empty())
+        files_[which] = picture;
+    if (picture && number > taken_)
+        ready_.emplace(number, std::move(picture));
+    room_.notify_all();
+    return true;
 }
 
 bool PicturesAhead::is_full()
@@ -101,6 +131,12 @@ bool PicturesAhead::is_full()
     if (failure_)
         std::rethrow_exception(failure_);
     return begun_.empty() && !may_begin();
+}
+
+long long PicturesAhead::count()
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return count_;
 }
 
 std::optional<PicturesAhead::Ready> PicturesAhead::take(long long due)
@@ -115,7 +151,9 @@ std::optional<PicturesAhead::Ready> PicturesAhead::take(long long due)
         ready_.erase(ready_.begin(), later);
         taken_ = newest->number;
     }
-    next_ = std::max(next_, due); // overdue pictures are not decoded
+    due_ = std::max(due_, due);
+    if (!source_.read)
+        next_ = std::max(next_, due); // overdue pictures are not decoded
     room_.notify_all();
     return newest;
 }

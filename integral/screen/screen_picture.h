@@ -38,12 +38,19 @@ int pictures_to_keep(std::size_t bytes_each);
 /// All calls must come from one thread.
 class PicturesAhead {
 public:
+    /// Makes a picture of what was read for it.
+    using Completion = std::function<ScreenPicture()>;
     struct Source {
-        long long count = 0; ///< number of files
+        long long count = 0; ///< number of files; `read` finds it by itself
         bool loop = false;   ///< the first file follows the last one, with the next number
         int keep = 2;        ///< pictures in memory, including those that are being decoded
         int threads = 1;     ///< decoding threads
         std::function<ScreenPicture(long long file)> load; ///< called by several threads at once
+        /// In place of `load`, for sequences that can only be read in order: reads file 0, 1, 2 and
+        /// so on, and file 0 again for a loop, in one call at a time. Returns nothing after the
+        /// last file. The results are called by several threads at once, those of overdue pictures
+        /// not at all.
+        std::function<Completion(long long file)> read = nullptr;
     };
     struct Ready {
         long long number = 0;
@@ -59,25 +66,33 @@ public:
     /// Whether `keep` pictures, or all, are ready. Rethrows what `load` threw.
     bool is_full();
 
+    /// Number of files; the greatest number there is as long as `read` has not found the end.
+    long long count();
+
     /// Takes the newest ready picture with a number of at most `due` and above all numbers taken
     /// before; nothing if there is none. Drops older pictures. From now on, decoding begins with
-    /// picture `due`. Rethrows what `load` threw.
+    /// picture `due`. Rethrows what `load` or `read` threw.
     std::optional<Ready> take(long long due);
 
 private:
     void work();
+    bool decode_next();
+    std::shared_ptr<const ScreenPicture> decode(long long number, long long file,
+                                                std::unique_lock<std::mutex> turn);
     bool may_begin() const;
-    std::size_t file(long long number) const { return std::size_t(number % source_.count); }
+    std::size_t file(long long number) const { return std::size_t(number % count_); }
 
     const Source source_;
+    std::mutex turn_; ///< of the thread that reads; locked before mutex_
     std::mutex mutex_;
+    long long count_;
     std::condition_variable room_;
     std::map<long long, std::shared_ptr<const ScreenPicture>> ready_;
     /// Each file's picture, decoded once, if all files fit into `keep`; else empty.
     std::vector<std::shared_ptr<const ScreenPicture>> files_;
     std::exception_ptr failure_;
-    long long next_ = 0, taken_ = -1;  ///< numbers of the next picture to decode and the last one
-                                       ///< taken
+    /// Numbers of the next picture to decode, the last one taken, and the first one not overdue.
+    long long next_ = 0, taken_ = -1, due_ = 0;
     std::multiset<std::size_t> begun_; ///< files that are being decoded
     bool stop_ = false;
     std::vector<std::thread> threads_;

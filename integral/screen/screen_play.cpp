@@ -26,33 +26,43 @@ constexpr double longest_wait = 0.05; // seconds between calls of go_on
 
 /// When pictures come due, in seconds from the first one.
 struct Schedule {
-    double period, end;
-    long long total; ///< pictures that come due before the end
+    double period, end = INFINITY;
+    long long total = std::numeric_limits<long long>::max(); ///< pictures that are due before `end`
 
     long long due_at(double now) const
     {
         return std::min(static_cast<long long>(now / period + 1e-9), total - 1);
     }
+
+    /// Ends with picture number `count` - 1 at the latest.
+    void limit(long long count)
+    {
+        if (count < total) {
+            total = count;
+            end = std::min(end, double(count) * period);
+        }
+    }
 };
 
 Schedule schedule_of(const Playing& playing)
 {
-    const double period = 1 / playing.rate;
-    long long total = playing.source.loop ? std::numeric_limits<long long>::max()
-                                          : playing.source.count;
-    double end = playing.source.loop ? INFINITY : double(total) * period;
-    if (playing.seconds > 0 && playing.seconds < end) {
-        end = playing.seconds;
-        total = static_cast<long long>(std::ceil(end / period - 1e-9));
+    Schedule schedule{1 / playing.rate};
+    if (playing.seconds > 0) {
+        schedule.end = playing.seconds;
+        schedule.total = static_cast<long long>(std::ceil(schedule.end / schedule.period - 1e-9));
     }
-    return {period, end, total};
+    return schedule;
 }
 
 /// Plays pictures once; its functions share the clock and the report.
 class Player {
 public:
     Player(ScreenWindow& window, const Playing& playing, const std::function<bool()>& go_on)
-        : window_(window), go_on_(go_on), pictures_(playing.source), schedule_(schedule_of(playing))
+        : window_(window),
+          go_on_(go_on),
+          loops_(playing.source.loop),
+          pictures_(playing.source),
+          schedule_(schedule_of(playing))
     {
     }
 
@@ -65,6 +75,7 @@ private:
 
     ScreenWindow& window_;
     const std::function<bool()>& go_on_;
+    const bool loops_;
     PicturesAhead pictures_;
     Schedule schedule_;
     PlayReport report_;
@@ -127,6 +138,8 @@ PlayReport Player::play()
     for (;;) {
         now_ = since(start_);
         report_.interrupted = !go_on_();
+        if (!loops_)
+            schedule_.limit(pictures_.count()); // the end may have been found meanwhile
         if (report_.interrupted || now_ >= schedule_.end)
             break;
         const double wait = show_due();

@@ -15,6 +15,8 @@ namespace {
 
 using Size = std::pair<int, int>; // width and height, pixels
 
+constexpr double pictures_a_second = 30; // of files, unless a rate is given
+
 std::string text_of(Size size) { return size_text(size.first, size.second); }
 
 /// The size of all files. Throws if they differ.
@@ -54,6 +56,19 @@ ScreenWindow window_on(const Desktop& desktop, const std::string& display,
 
 bool may_go_on() { return !interrupted(); }
 
+/// Plays the pictures of a source, whose other fields are set, on a display. `name`: the first
+/// picture's, in messages.
+PlayReport play_source(PicturesAhead::Source source, Size size, const std::string& name,
+                       double rate, bool loop, const ShowOptions& options)
+{
+    source.loop = loop;
+    source.keep = pictures_to_keep(sizeof(std::uint32_t) * std::size_t(size.first) *
+                                   std::size_t(size.second));
+    const Desktop desktop;
+    ScreenWindow window = window_on(desktop, options.display, name, size);
+    return play(window, {std::move(source), rate, options.seconds}, may_go_on);
+}
+
 } // namespace
 
 void check_display(int width, int height, const std::string& name, const ShowOptions& options)
@@ -74,22 +89,31 @@ PlayReport play_files(const std::vector<std::string>& files, const PlayOptions& 
                       const ShowOptions& options)
 {
     const Size size = common_size(files);
-    Playing pictures;
-    pictures.rate = playing.rate;
-    pictures.seconds = options.seconds;
-    pictures.source.count = static_cast<long long>(files.size());
-    pictures.source.loop = playing.loop;
-    pictures.source.keep = pictures_to_keep(sizeof(std::uint32_t) * std::size_t(size.first) *
-                                            std::size_t(size.second));
-    pictures.source.threads = playing.threads > 0
-                                  ? playing.threads
-                                  : std::max(1, int(std::thread::hardware_concurrency()));
-    pictures.source.load = [&](long long file) {
-        return load_picture(files[std::size_t(file)], size);
+    PicturesAhead::Source source;
+    source.count = static_cast<long long>(files.size());
+    source.threads = playing.threads > 0 ? playing.threads
+                                         : std::max(1, int(std::thread::hardware_concurrency()));
+    source.load = [&](long long file) { return load_picture(files[std::size_t(file)], size); };
+    return play_source(std::move(source), size, files.front(),
+                       playing.rate.value_or(pictures_a_second), playing.loop, options);
+}
+
+PlayReport play_video(VideoReader& video, int width, int height,
+                      const std::function<Image(Image)>& finish, const PlayOptions& playing,
+                      const ShowOptions& options)
+{
+    PicturesAhead::Source source;
+    source.threads = 2; // one reads while the other finishes a picture
+    source.read = [&](long long number) -> PicturesAhead::Completion {
+        if (number == 0)
+            video.rewind();
+        const auto picture = std::make_shared<Image>();
+        if (!video.read(*picture))
+            return {};
+        return [&finish, picture] { return screen_picture(finish(std::move(*picture))); };
     };
-    const Desktop desktop;
-    ScreenWindow window = window_on(desktop, options.display, files.front(), size);
-    return play(window, pictures, may_go_on);
+    return play_source(std::move(source), {width, height}, video.path(),
+                       playing.rate.value_or(video.rate()), playing.loop, options);
 }
 
 } // namespace integral

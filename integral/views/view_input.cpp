@@ -4,6 +4,8 @@
 #include "integral/base/interrupt.h"
 #include "integral/base/number_text.h"
 #include "integral/io/image_file.h"
+#include "integral/io/video.h"
+#include "integral/io/video_reader.h"
 #include "integral/replay/arrange.h"
 #include "integral/views/quilt.h"
 
@@ -48,6 +50,34 @@ ViewGrid grid_of_quilt(const std::string& input, const Views& quilt,
     return held;
 }
 
+/// Throws RequestError if a picture of that form does not hold the views of that grid.
+void check_grid(const std::string& input, const Image& form, ViewGrid grid, bool of_eyes)
+{
+    // A quilt of perspective views may have unused pixels, like 5 x 9 views in 4096 x 4096 pixels;
+    // parallel views have one pixel for each lens, so they must fill their quilt exactly.
+    const auto divides = [&](int side, int views) {
+        return views >= 1 && (of_eyes ? side >= views : side % views == 0);
+    };
+    if (!divides(form.width, grid.columns) || !divides(form.height, grid.rows))
+        throw RequestError(input + ": " + std::to_string(form.width) + "x" +
+                           std::to_string(form.height) + " pixels are not " +
+                           std::to_string(grid.columns) + "x" + std::to_string(grid.rows) +
+                           " equal views");
+}
+
+/// The views of one picture of a quilt video.
+ViewInput read_quilt_of_video(const std::string& input, const ViewsRequest& request)
+{
+    if (!request.video_time)
+        throw RequestError(input + ": it is a video; --at SECONDS selects one of its pictures");
+    ViewInput all;
+    all.grid = grid_of_quilt(input, {}, request.grid);
+    const Image quilt = picture_of_video(input, *request.video_time);
+    check_grid(input, quilt, all.grid, request.of_eyes);
+    all.views = views_of_quilt(quilt, all.grid);
+    return all;
+}
+
 ViewInput read_quilt(const std::string& input, const ViewsRequest& request)
 {
     ViewsReader file(input, request.needs_geometry);
@@ -60,16 +90,7 @@ ViewInput read_quilt(const std::string& input, const ViewsRequest& request)
         throw RequestError(input + ": it is view " + std::to_string(*quilt.metadata->quilt->view) +
                            " of " + std::to_string(grid.count()) +
                            "; give the files of all of them");
-    // A quilt of perspective views may have unused pixels, like 5 x 9 views in 4096 x 4096 pixels;
-    // parallel views have one pixel for each lens, so they must fill their quilt exactly.
-    const auto divides = [&](int side, int views) {
-        return views >= 1 && (request.of_eyes ? side >= views : side % views == 0);
-    };
-    if (!divides(quilt.image.width, grid.columns) || !divides(quilt.image.height, grid.rows))
-        throw RequestError(input + ": " + std::to_string(quilt.image.width) + "x" +
-                           std::to_string(quilt.image.height) + " pixels are not " +
-                           std::to_string(grid.columns) + "x" + std::to_string(grid.rows) +
-                           " equal views");
+    check_grid(input, quilt.image, grid, request.of_eyes);
     file.check_memory();
     all.views = views_of_quilt(quilt.image, grid, [&](Image& band) {
         stop_if_interrupted();
@@ -152,6 +173,7 @@ ViewInput read_given_views(const std::vector<std::string>& inputs, const ViewsRe
 {
     ViewInput given = inputs.size() > 1             ? read_files(inputs, request)
                       : is_list_of_views(inputs[0]) ? read_list(inputs[0], request)
+                      : is_video(inputs[0])         ? read_quilt_of_video(inputs[0], request)
                                                     : read_quilt(inputs[0], request);
     set_shape(given, inputs, request);
     return given;

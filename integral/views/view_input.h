@@ -37,6 +37,7 @@ struct ViewsRequest {
     bool of_eyes = false; ///< perspective views: their quilt may have unused pixels
     std::optional<double> aspect; ///< the views' shape; nothing: as in the inputs, or (files) their
                                   ///< pixels' shape
+    std::optional<double> video_time; ///< seconds: a quilt video's first picture from then on
 };
 
 /// Reads one quilt, an MPO, or the files of all views. The views' shape is the first of these that

@@ -211,6 +211,70 @@ BOOST_AUTO_TEST_CASE(late_pictures_are_skipped)
     BOOST_TEST(loads <= before + 8);
 }
 
+/// A source of `count` pictures that can only be read in order. `place`: the next file.
+PicturesAhead::Source in_order(long long count, bool loop, int keep, std::atomic<long long>& place,
+                               std::atomic<int>& finished)
+{
+    PicturesAhead::Source source;
+    source.loop = loop;
+    source.keep = keep;
+    source.threads = 3;
+    source.read = [&, count](long long file) -> PicturesAhead::Completion {
+        if (file == 0)
+            place = 0;
+        if (file != place)
+            throw InputError(std::to_string(file) + " is read out of order");
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+        if (file == count)
+            return {};
+        ++place;
+        return [&finished, file] {
+            std::this_thread::sleep_for(std::chrono::microseconds(50 * (file % 3)));
+            ++finished;
+            return numbered_picture(file);
+        };
+    };
+    return source;
+}
+
+BOOST_AUTO_TEST_CASE(a_video_is_read_in_order_to_its_end)
+{
+    for (const int keep : {2, 5, 40})
+        for (const bool loop : {false, true}) {
+            std::atomic<long long> place{0};
+            std::atomic<int> finished{0};
+            PicturesAhead pictures(in_order(30, loop, keep, place, finished));
+            wait_for([&] { return pictures.is_full(); });
+            BOOST_TEST(finished == (loop ? keep : std::min(keep, 30)));
+            if (keep < 30)
+                BOOST_TEST(pictures.count() > 30); // the end is not found yet
+            const int requested = loop ? 75 : 30;
+            for (int k = 0; k < requested; ++k) {
+                std::optional<PicturesAhead::Ready> ready;
+                wait_for([&] { return (ready = pictures.take(k)).has_value(); });
+                BOOST_REQUIRE_EQUAL(ready->number, k);
+                BOOST_REQUIRE_EQUAL(ready->picture->pixels[0], unsigned(k % 30));
+            }
+            wait_for([&] { return pictures.count() == 30; });
+        }
+}
+
+BOOST_AUTO_TEST_CASE(late_pictures_of_a_video_are_read_but_not_finished)
+{
+    std::atomic<long long> place{0};
+    std::atomic<int> finished{0};
+    PicturesAhead pictures(in_order(300, false, 4, place, finished));
+    wait_for([&] { return pictures.is_full(); });
+    pictures.take(200);
+    std::optional<PicturesAhead::Ready> ready;
+    wait_for([&] { return (ready = pictures.take(200)).has_value(); });
+    BOOST_TEST(ready->number == 200);
+    wait_for([&] { return pictures.is_full(); });
+    BOOST_TEST(finished <= 4 + 8);
+    pictures.take(1000); // past the end, which is found
+    wait_for([&] { return pictures.count() == 300; });
+}
+
 BOOST_AUTO_TEST_CASE(a_failure_to_decode_arrives)
 {
     PicturesAhead pictures({10, false, 4, 2, [&](long long file) {

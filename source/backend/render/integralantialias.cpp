@@ -7,6 +7,7 @@
 #include "backend/render/integralrefinement.h"
 #include "backend/render/integralsamplers.h"
 #include "backend/render/integralsampling.h"
+#include "backend/render/integralstripes.h"
 #include "backend/lighting/radiosity.h"
 #include "backend/scene/camera.h"
 #include "backend/scene/integralcamera.h"
@@ -31,7 +32,15 @@ IntegralSampling *Sampling_Of(const Camera& camera)
     return camera.Integral_View ? camera.Integral_View->sampling.get() : NULL;
 }
 
-/// One thread's share of all passes.
+/// The stripes that the view's anti-aliasing takes for pixels.
+IntegralStripes Stripes_Of(const IntegralView& view)
+{
+    return IntegralStripes(view.sampled_optics == view.optics ? integral::Subpixels()
+                                                              : view.optics->film.subpixels);
+}
+
+/// One thread's share of all passes. A block is one of the picture; its pixels, and those of its
+/// stripes, are named alike.
 class Antialiasing
 {
 public:
@@ -45,6 +54,7 @@ public:
           cooperate(cooperate),
           options(options),
           sampling(sampling),
+          stripes(Stripes_Of(*view.GetCamera().Integral_View)),
           compared(options.gamma),
           refinement(thread, trace.Integral(), cooperate, options, compared, sampling),
           first_samples(trace.Integral(), !options.jitter)
@@ -78,12 +88,13 @@ private:
         // Without reconstruction, the last pass follows refinement directly.
         const bool is_last = pass == sampling.Last_Pass();
         if (pass == IntegralSampling::estimation && !is_last)
-            return sampling.Reconstruction()->estimate(block, sampling.Whole(block), *scratch);
+            return sampling.Reconstruction()->estimate(stripes.Of(block),
+                                                       stripes.Of(sampling.Whole(block)), *scratch);
         radiosity.BeforeTile(options.reproducible ? block.top * view.GetWidth() + block.left : 0);
         if (is_last)
             Finish(block);
         else if (pass == IntegralSampling::reconstruction)
-            Reconstruct(block);
+            Reconstruct(stripes.Of(block));
         else
             Trace_Pass(pass, block);
         radiosity.AfterTile();
@@ -93,16 +104,17 @@ private:
     void Trace_Pass(int pass, const integral::PictureBlock& block)
     {
         if (pass == IntegralSampling::sampling)
-            Sample(block);
+            Sample(stripes.Of(block));
         else
-            refinement.Run(block);
+            refinement.Run(stripes.Of(block));
         const float share = pass == IntegralSampling::sampling ? IntegralSampling::sampling_share
                                                                : IntegralSampling::refinement_share;
         if (!sampling.Reports(block))
             return;
         if (!sampling.Is_Displayed())
             return view.CompletedRectangle(To_Rect(block), 0, share);
-        Take(block);
+        Take(stripes.Of(block));
+        stripes.Merge(pixels);
         view.CompletedRectangle(To_Rect(block), 0, pixels, 1, false, share);
     }
 
@@ -117,7 +129,7 @@ private:
                 sampling.At(x, y) = pixel.colour;
                 if (pixel.lens)
                     sampling.First().set(x, y, compared(pixel.colour), *pixel.lens, pixel.depth);
-                thread.Stats()[Number_Of_Pixels]++;
+                thread.Stats()[Number_Of_Pixels] += x % stripes.Number() == 0;
                 cooperate();
             }
     }
@@ -141,9 +153,10 @@ private:
         unsigned int serial;
         if (!sampling.Is_Wanted(block, serial))
             return;
-        Take(block);
+        Take(stripes.Of(block));
         if (sampling.Filter())
-            Filter(block);
+            Filter(stripes.Of(block));
+        stripes.Merge(pixels);
         if (IntegralAudit *const audit = view.GetCamera().Integral_View->audit.get())
             audit->Note(To_Rect(block), pixels, Squared_Errors(block));
         // A block outside the requested rows is rendered for its neighbours alone. It is never marked
@@ -199,15 +212,25 @@ private:
         squared_errors.clear();
         for (int y = block.top; y <= block.bottom; y++)
             for (int x = block.left; x <= block.right; x++)
-            {
-                float expected = IntegralAudit::unlit;
-                if (sampling.First().lens(x, y))
-                    expected = sampling.Reconstruction()
-                                   ? sampling.Reconstruction()->error_left(x, y)
-                                   : IntegralAudit::unknown;
-                squared_errors.push_back(expected);
-            }
+                squared_errors.push_back(Squared_Error(x, y));
         return squared_errors;
+    }
+
+    /// The expected squared error of a pixel: the mean of its stripes'.
+    float Squared_Error(int x, int y)
+    {
+        const int number = stripes.Number();
+        float sum = 0;
+        bool is_lit = false;
+        for (int stripe = x * number; stripe < (x + 1) * number; stripe++)
+            if (sampling.First().lens(stripe, y))
+            {
+                is_lit = true;
+                if (!sampling.Reconstruction())
+                    return IntegralAudit::unknown;
+                sum += sampling.Reconstruction()->error_left(stripe, y);
+            }
+        return is_lit ? sum / number : IntegralAudit::unlit;
     }
 
     /// Sets `pixels` to the block's colours.
@@ -234,6 +257,7 @@ private:
     Trace::CooperateFunctor& cooperate;
     const IntegralRefinementOptions& options;
     IntegralSampling& sampling;
+    const IntegralStripes stripes;
     ComparedEncoding compared;
     IntegralRefinement refinement;
     IntegralFirstSamples first_samples;

@@ -23,8 +23,8 @@ std::optional<IntegralFirstSamples::Pixel> IntegralFirstSamples::Trace(int x, in
         run_x = x;
         run_y = y;
         const integral::Vec2 centre{x + 0.5, y + 0.5};
-        integral::map_pixel_run(*view.optics, centre, run);
-        view.sampler->first_samples(centre, run.mapped, same_pattern, samples);
+        integral::map_pixel_run(*view.sampled_optics, centre, run);
+        view.sampled_sampler->first_samples(centre, run.mapped, same_pattern, samples);
     }
     const integral::MappedPoint& mapped = run.mapped[x - run_x];
     const integral::PixelOutcome outcome = integral::outcome_of(mapped);
@@ -59,16 +59,16 @@ void IntegralBeam::Begin(int at_x, int at_y, bool same_pattern,
     if (view.quilt)
         return;
     std::optional<integral::LensIndex> around;
-    if (view.optics->film.subpixels == integral::Subpixels::none)
+    if (view.sampled_optics->film.subpixels == integral::Subpixels::none)
         around = image.lens_around(x, y);
-    beam = view.sampler->beam({x + 0.5, y + 0.5}, same_pattern, image.depth(x, y), around);
+    beam = view.sampled_sampler->beam({x + 0.5, y + 0.5}, same_pattern, image.depth(x, y), around);
     run_begin = run_end = 0;
 }
 
 /// Sets `rays` to the rays of a sample: one for each channel; none if another lens images it.
 void IntegralBeam::Append_Rays(std::uint32_t index, int number)
 {
-    const integral::PixelSampler& sampler = *tracer.View().sampler;
+    const integral::PixelSampler& sampler = *tracer.View().sampled_sampler;
     rays.clear();
     if (const auto& quilt = tracer.View().quilt)
         return rays.push_back({*quilt->sample(x, y, of_same_pattern, index)});

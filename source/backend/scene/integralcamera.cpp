@@ -6,6 +6,7 @@
 #include "backend/render/integralaudit.h"
 #include "backend/render/integraldepth.h"
 #include "backend/render/integralsampling.h"
+#include "backend/render/integralstripes.h"
 #include "backend/lighting/integralsharedambient.h"
 #include "backend/render/integralshading.h"
 #include "backend/scene/camera.h"
@@ -154,6 +155,20 @@ static std::shared_ptr<const integral::IntegralCamera> Restricted(
     return restricted;
 }
 
+/// Sets the camera and the sampler of anti-aliasing's pixels.
+static void Set_Sampled(IntegralView& view, const pov_base::IntegralRenderOptions& given)
+{
+    view.sampled_optics = view.optics;
+    view.sampled_sampler = view.sampler;
+    if (!given.reconstruct || given.quilt)
+        return;
+    const auto stripes = IntegralStripes(view.optics->film.subpixels).Camera_Of(*view.optics);
+    if (!stripes || !integral::Reconstruction::possible(*stripes))
+        return;
+    view.sampled_optics = stripes;
+    view.sampled_sampler = std::make_shared<integral::PixelSampler>(*stripes, given.seed);
+}
+
 void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int height,
                          POVMS_Object& options)
 {
@@ -197,8 +212,9 @@ void Start_Integral_View(Camera& camera, const SceneData& scene, int width, int 
         if (given.antialias && given.light_field && !projects)
         {
             const auto quilt = view->quilt ? std::optional(view->quilt->geometry()) : std::nullopt;
+            Set_Sampled(*view, given);
             view->sampling = std::make_shared<IntegralSampling>(
-                *view->optics, quilt, given.rows, given.block_side, given.reconstruct,
+                *view->sampled_optics, quilt, given.rows, given.block_side, given.reconstruct,
                 least_error_of_threshold * given.threshold, given.displayed);
         }
         // Reconstruction gains more than sharing, and its own error is smaller.

@@ -131,6 +131,10 @@ struct IntegralView
 {
     std::shared_ptr<const integral::IntegralCamera> optics;
     std::shared_ptr<const integral::PixelSampler> sampler;
+    /// The camera and the sampler of anti-aliasing's pixels: a panel's colour stripes, if the frame
+    /// is reconstructed (IntegralStripes); else those of the frame.
+    std::shared_ptr<const integral::IntegralCamera> sampled_optics;
+    std::shared_ptr<const integral::PixelSampler> sampled_sampler;
     std::shared_ptr<const integral::QuiltSampler> quilt; ///< null: the picture is a frame
     std::shared_ptr<IntegralCounts> counts;
     std::shared_ptr<IntegralShadingCache> shading_cache; ///< null: rays do not share shading
