@@ -77,7 +77,7 @@ unit_sources = \
   tests/unit/compare_seen.cpp \
   tests/unit/compare_tolerances.cpp \
   tests/unit/depth_multibaseline.cpp \
-  tests/unit/depth_spread.cpp \
+  tests/unit/depth_surface_fill.cpp \
   tests/unit/depth_stereo_pair.cpp \
   tests/unit/depth_view_order.cpp \
   tests/unit/depth_votes.cpp \

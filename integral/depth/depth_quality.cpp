@@ -25,7 +25,8 @@ MultibaselineSettings settings_for(DepthQuality quality)
         settings.filter = {3, 3, 0.12};
         settings.median = {2, 2, 0.12};
     } else if (quality == DepthQuality::best) {
-        settings.step = 0.12;
+        settings.step = 0.16;
+        settings.filter = {7, 7, 0.12};
     }
     return settings;
 }

@@ -45,10 +45,10 @@ build_lib_libintegral_a_SOURCES += \
   integral/depth/relief_views.h \
   integral/depth/row_loops.cpp \
   integral/depth/row_loops.h \
-  integral/depth/spread.cpp \
-  integral/depth/spread.h \
   integral/depth/stereo_pair.cpp \
   integral/depth/stereo_pair.h \
+  integral/depth/surface_fill.cpp \
+  integral/depth/surface_fill.h \
   integral/depth/texture.cpp \
   integral/depth/texture.h \
   integral/depth/view_order.cpp \

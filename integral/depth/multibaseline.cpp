@@ -2,7 +2,7 @@
 #include "integral/depth/multibaseline.h"
 
 #include "integral/depth/reflections.h"
-#include "integral/depth/spread.h"
+#include "integral/depth/surface_fill.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ std::vector<float> sure_disparities(const ViewSet& views, const VoteSettings& se
                                     double widest, int threads)
 {
     constexpr int rows_apart = 12, rows_at_once = 2, least_pieces = 40;
-    constexpr float least_confidence = 0.3f, least_change = 0.03f;
+    constexpr float least_confidence = 0.12f, least_change = 0.006f;
     const Votes votes(views, settings);
     const Search search(views, votes, {3, 1, 0.06}, Labels({-widest, widest}, rough_step));
     DepthMap map = blank_map(views);
@@ -63,14 +63,25 @@ std::vector<float> sure_disparities(const ViewSet& views, const VoteSettings& se
     return sure;
 }
 
-/// Range of all values but two thousandths at each end, with a margin.
-DisparityRange range_of(const std::vector<float>& sure)
+/// Range of all sorted values but two thousandths at each end, with a margin. False matches lie
+/// anywhere in [-widest, widest], so the ends are cut where values are sparse.
+DisparityRange range_of(const std::vector<float>& sure, double widest)
 {
+    constexpr double bin = 0.25, sparse = 0.15; // of the mean number of values in a bin
+    const double few = sparse * double(sure.size()) * bin / (2 * widest);
     const auto part = [&](double fraction) {
         return double(sure[std::size_t(fraction * double(sure.size() - 1))]);
     };
-    const double least = part(0.002), greatest = part(0.998),
-                 margin = 2 * rough_step + 0.03 * (greatest - least);
+    const auto is_sparse = [&](double from) {
+        const auto first = std::lower_bound(sure.begin(), sure.end(), float(from));
+        return double(std::lower_bound(first, sure.end(), float(from + bin)) - first) < few;
+    };
+    double least = part(0.002), greatest = part(0.998);
+    while (least + bin < greatest && is_sparse(least))
+        least += bin;
+    while (least < greatest - bin && is_sparse(greatest - bin))
+        greatest -= bin;
+    const double margin = 2 * rough_step + 0.1 * (greatest - least);
     return {least - margin, greatest + margin};
 }
 
@@ -92,7 +103,7 @@ DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, in
     rough.cross = true; // other views would add time, and false matches if views have few pixels
     const auto sure = sure_disparities(views, rough, usual, threads);
     if (sure.size() >= least_number) {
-        const DisparityRange found = range_of(sure);
+        const DisparityRange found = range_of(sure, usual);
         if (found.least > -usual && found.greatest < usual)
             return found;
     }
@@ -100,11 +111,11 @@ DisparityRange find_range(const ViewSet& views, const VoteSettings& settings, in
     // visible texture, so the far end is at infinity.
     const auto wide = sure_disparities(views, rough, widest, threads);
     if (!views.scale && wide.size() >= many) { // where infinity is, is not known
-        const DisparityRange room = with_room(range_of(wide));
+        const DisparityRange room = with_room(range_of(wide, widest));
         if (room.least > -widest && room.greatest < widest)
             return room;
     }
-    const double nearest = wide.size() >= least_number ? range_of(wide).greatest : usual;
+    const double nearest = wide.size() >= least_number ? range_of(wide, widest).greatest : usual;
     return {-std::min(widest, views.scale ? views.scale->ratio : widest), std::max(usual, nearest)};
 }
 
@@ -113,8 +124,13 @@ std::optional<DepthMap> multibaseline(const ViewSet& views, const MultibaselineS
 {
     const DisparityRange range = settings.range ? *settings.range
                                                 : find_range(views, settings.votes, threads);
-    const Votes votes(views, settings.votes);
-    const double step = settings.step / std::max(1.0, farthest_shift(views));
+    constexpr int most_labels = 200; // more cost time, and hardly any view resolves them
+    const double farthest = std::max(1.0, farthest_shift(views)),
+                 step = std::max(settings.step / farthest,
+                                 (range.greatest - range.least) / most_labels);
+    VoteSettings of_votes = settings.votes; // a coarse step needs more tolerance
+    of_votes.tolerance = std::max(of_votes.tolerance, 0.5 * step * farthest);
+    const Votes votes(views, of_votes);
     const Search search(views, votes, stretched(settings.filter, views), Labels(range, step));
     DepthMap map = blank_map(views);
     map.range = range;
@@ -122,7 +138,7 @@ std::optional<DepthMap> multibaseline(const ViewSet& views, const MultibaselineS
         return std::nullopt;
     if (settings.reach > 0) {
         flatten_reflections(views, step, threads, map);
-        propagate_confident(views, settings.reach, threads, map.disparity, map.confidence);
+        fill_surfaces(views, settings.reach, threads, map.disparity, map.confidence);
     }
     const EdgeFilterSettings median = stretched(settings.median, views);
     std::vector<float> smooth(map.disparity.size());

@@ -10,10 +10,11 @@ namespace integral {
 
 struct MultibaselineSettings {
     std::optional<DisparityRange> range; ///< to search; nothing: find it
-    double step = 0.16; ///< between tried disparities: a point's movement in the farthest view, px
+    double step = 0.24; ///< between tried disparities: a point's movement in the farthest view, px
     VoteSettings votes;
-    EdgeFilterSettings filter, median;
-    double reach = 40; ///< pixels over which confident depth spreads within a surface; 0: none
+    EdgeFilterSettings filter{5, 5, 0.12}, median;
+    double reach = 160; ///< pixels over which depth is filled within a surface (fill_surfaces); 0:
+                        ///< not
 };
 
 /// Searches some rows for disparities from -4 to 4, and returns the range of nearly all confident

@@ -21,7 +21,7 @@ INTEGRAL_VECTORS void vote_for(float* __restrict vote, const RowsToCompare& rows
                 *g0 = rows.middle[1], *b0 = rows.middle[2], *sharpness = rows.sharpness;
     for (int i = 0; i < count; ++i) {
         const float dr = r[i] - r0[i], dg = g[i] - g0[i], db = b[i] - b0[i];
-        vote[i] = std::max(0.0f, 1 - sharpness[i] * (dr * dr + dg * dg + db * db));
+        vote[i] = 1 / (1 + sharpness[i] * (dr * dr + dg * dg + db * db));
     }
 }
 
@@ -35,7 +35,7 @@ INTEGRAL_VECTORS void vote_between(float* __restrict vote, const RowsToCompare& 
         const float dr = w0 * r[i - 1] + w1 * r[i] + w2 * r[i + 1] + w3 * r[i + 2] - r0[i],
                     dg = w0 * g[i - 1] + w1 * g[i] + w2 * g[i + 1] + w3 * g[i + 2] - g0[i],
                     db = w0 * b[i - 1] + w1 * b[i] + w2 * b[i + 1] + w3 * b[i + 2] - b0[i];
-        vote[i] = std::max(0.0f, 1 - sharpness[i] * (dr * dr + dg * dg + db * db));
+        vote[i] = 1 / (1 + sharpness[i] * (dr * dr + dg * dg + db * db));
     }
 }
 

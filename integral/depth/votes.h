@@ -10,7 +10,7 @@ namespace integral {
 struct VoteSettings {
     double tolerance = 0.2; ///< pixels: a view's colour may differ by as much as a shift of the
                             ///< texture by this changes it ...
-    double noise = 0.006;   ///< ... and by this, a distance in R, G, B of full scale 1
+    double noise = 0.003;   ///< ... and by this, a distance in R, G, B of full scale 1
     bool halves = true; ///< take the best mean vote of all views and of the left, right, upper and
                         ///< lower half of them: an edge hides a point from some halves alone
     bool cross = false; ///< only views (about) to the left, right, above and below count

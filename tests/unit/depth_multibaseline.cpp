@@ -130,6 +130,23 @@ BOOST_AUTO_TEST_CASE(planes_on_both_sides_and_their_edges)
     }
 }
 
+BOOST_AUTO_TEST_CASE(outlines_stand_where_the_square_ends)
+{
+    const TwoPlanes scene{-0.4, 1.05};
+    ViewSet views = scene.views();
+    soften(views, 2);
+    const auto map = multibaseline(views, {}, 2, {});
+    BOOST_REQUIRE(map);
+    // Each row through the square has as many pixels nearer than half-way as the square is wide.
+    int nearer = 0, rows = 0;
+    for (int y = scene.size / 2 - 12; y < scene.size / 2 + 12; ++y, ++rows)
+        for (int x = 0; x < scene.size; ++x)
+            nearer += map->disparity[std::size_t(y) * scene.size + x] >
+                      0.5 * (scene.back + scene.front);
+    const double wide = double(nearer) / rows, truth = 39; // columns 29 to 67: |x - 48| < 20
+    BOOST_TEST(std::fabs(wide - truth) < 2 * 0.5);
+}
+
 BOOST_AUTO_TEST_CASE(reversed_rays_meet_on_planes_of_whole_pixels_and_at_ghosts_else)
 {
     const auto bad = [](const TwoPlanes& scene, bool by_rays) {

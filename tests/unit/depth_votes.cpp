@@ -78,8 +78,8 @@ BOOST_AUTO_TEST_CASE(a_half_of_the_views_has_none_of_the_middle_row_or_column)
                 }
         const ViewSet views = set_of(std::move(others));
         const float trust = 1 - 2 / 10.0f;
-        BOOST_TEST(std::fabs(at(mean_votes(views, VoteSettings()), 4, 4) - trust) < 1e-6);
-        BOOST_TEST(std::fabs(at(mean_votes(views, plain_settings()), 4, 4) - 10 / 24.0f) < 1e-6);
+        BOOST_TEST(std::fabs(at(mean_votes(views, VoteSettings()), 4, 4) - trust) < 1e-4);
+        BOOST_TEST(std::fabs(at(mean_votes(views, plain_settings()), 4, 4) - 10 / 24.0f) < 1e-4);
     }
 }
 
@@ -100,9 +100,9 @@ BOOST_AUTO_TEST_CASE(a_view_has_no_vote_on_what_it_does_not_show)
             for (int x = 0; x < width; ++x) {
                 const bool has_column = x >= c.first && x < width - c.last,
                            has_row = y >= c.first && y < height - c.last;
-                BOOST_TEST(at(across, x, y) == (has_column ? 0.5f : 1.0f),
+                BOOST_TEST(std::fabs(at(across, x, y) - (has_column ? 0.5f : 1.0f)) < 1e-4,
                            c.disparity << " across, " << x);
-                BOOST_TEST(at(down, x, y) == (has_row ? 0.5f : 1.0f),
+                BOOST_TEST(std::fabs(at(down, x, y) - (has_row ? 0.5f : 1.0f)) < 1e-4,
                            c.disparity << " down, " << y);
             }
     }
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(a_point_is_sought_where_its_disparity_moves_it)
     for (int y = 0; y < height - 1; ++y)
         for (int x = 0; x < width - 2; ++x)
             BOOST_TEST(at(right, x, y) == 1);
-    BOOST_TEST(at(wrong, 4, 3) == 0);
+    BOOST_TEST(at(wrong, 4, 3) < 1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(the_texture_along_the_shift_allows_a_difference)
@@ -133,10 +133,10 @@ BOOST_AUTO_TEST_CASE(the_texture_along_the_shift_allows_a_difference)
         views.middle = view_of({0, 0}, ramp);
         return at(mean_votes(views, plain_settings()), 4, 4);
     };
-    const float noise = 0.006f * 0.006f, texture = 0.2f * 0.2f * 3 * slope * slope,
+    const float noise = 0.003f * 0.003f, texture = 0.2f * 0.2f * 3 * slope * slope,
                 square = 3 * difference * difference;
-    BOOST_TEST(std::fabs(vote_of({1, 0}) - (1 - square / (noise + texture))) < 1e-4);
-    BOOST_TEST(vote_of({0, 1}) == 0); // square > noise
+    BOOST_TEST(std::fabs(vote_of({1, 0}) - 1 / (1 + square / (noise + texture))) < 1e-4);
+    BOOST_TEST(std::fabs(vote_of({0, 1}) - 1 / (1 + square / noise)) < 1e-4);
 }
 
 BOOST_AUTO_TEST_CASE(views_without_light_do_not_count_but_few_are_not_trusted)
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(a_cross_has_the_middle_row_and_column_alone)
     const ViewSet views = set_of(
         {flat({1, 0}, grey), flat({0, -1}, grey), flat({1, 1}, other), flat({-1, 1}, other)});
     BOOST_TEST(at(mean_votes(views, settings), 4, 4) == 1);
-    BOOST_TEST(at(mean_votes(views, plain_settings()), 4, 4) == 0.5f);
+    BOOST_TEST(std::fabs(at(mean_votes(views, plain_settings()), 4, 4) - 0.5f) < 1e-4);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
