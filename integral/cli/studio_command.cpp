@@ -47,8 +47,8 @@ void declare(options::options_description& all, StudioOptions& o)
     declare(all, o.given_views);
     declare(all, o.fit);
     add(all, "turn", o.turn, "X,Y,Z",
-        "of a mesh: degrees about x, then y, then z, as POV-Ray's rotate (90,0,0 for files whose "
-        "z is up)");
+        "degrees by which a mesh is turned about x, then y, then z, as by POV-Ray's rotate (90,0,0 "
+        "for files whose z is up)");
     add(all, "port", o.port, "PORT", "the port of the page (default: a free one)");
     add(all, "no-browser", o.no_browser, "print the page's address and do not open a browser");
 }
@@ -106,7 +106,7 @@ std::unique_ptr<StudioInput> scene_input(const StudioOptions& o)
                     {"aspect", o.given_views.given_aspect},
                     {"fit", o.fit.given},
                     {"right-to-left", o.given_views.right_to_left}},
-                   "is for pictures, not for a scene");
+                   "is for pictures, not for a scene or a mesh");
     const std::vector<std::string> options(o.inputs.begin() + 1, o.inputs.end());
     if (!is_mesh) {
         throw_if_given({{"turn", o.turn}}, "is for a mesh");

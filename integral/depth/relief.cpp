@@ -215,23 +215,25 @@ void Relief::scale(double factor)
 void Relief::thin(Vec2 spacing)
 {
     for (ReliefMap& map : maps_) {
-        const auto whole = [](double ratio, int most) {
-            return std::clamp(int(ratio + 1e-6), 1, most);
+        // Maps of turned views have their rows upright.
+        const auto pixels = [&](Vec2 step, int all) {
+            const double each = std::fabs(step.x) >= std::fabs(step.y) ? spacing.x : spacing.y;
+            return int(std::clamp(each / length(step) + 1e-6, 1.0, double(all)));
         };
-        const int across = whole(spacing.x / length(map.places.right), map.width),
-                  down = whole(spacing.y / length(map.places.down), map.height);
+        const int across = pixels(map.places.right, map.width),
+                  down = pixels(map.places.down, map.height);
         if (across == 1 && down == 1)
             continue;
         const int left = across / 2, above = down / 2;
-        std::vector<float> kept;
+        std::vector<float> thinned;
         for (int y = above; y < map.height; y += down)
             for (int x = left; x < map.width; x += across)
-                kept.push_back(map.parallax[std::size_t(y) * map.width + x]);
+                thinned.push_back(map.parallax[std::size_t(y) * map.width + x]);
         map.places = {map.places.at(left, above), double(across) * map.places.right,
                       double(down) * map.places.down};
         map.width = (map.width - left + across - 1) / across;
         map.height = (map.height - above + down - 1) / down;
-        map.parallax = std::move(kept);
+        map.parallax = std::move(thinned);
     }
 }
 

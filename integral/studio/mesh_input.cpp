@@ -3,9 +3,11 @@
 
 #include "integral/base/file_bytes.h"
 #include "integral/io/markup.h"
+#include "integral/studio/file_stamp.h"
 #include "integral/wireframe/mesh_file.h"
 #include "integral/wireframe/mesh_scene.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
@@ -14,9 +16,7 @@ namespace {
 
 constexpr double extent_in_scene = 100; // the mesh's greatest extent
 
-const char* const first_line = "// A mesh, written by integral studio; changes are lost.\n";
-
-const char* const
+const std::string
     scene_text = R"(// A scene around the mesh of @MESH@, for integral studio. Change what you like.
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -46,11 +46,27 @@ std::string include_of_mesh(const std::string& mesh)
 
 bool is_there(const std::string& path) { return std::filesystem::exists(path); }
 
+/// The first line of the include file, from which it is known again.
+std::string first_line(const std::string& mesh)
+{
+    return "// The mesh of " + mesh + ", written by integral studio; changes are lost.\n";
+}
+
 /// Throws std::invalid_argument unless the file is missing or contains `text`.
 void check_own(const std::string& path, const std::string& text, const std::string& advice)
 {
     if (is_there(path) && read_file(path).find(text) == std::string::npos)
-        throw std::invalid_argument(path + " is there and " + advice);
+        throw std::invalid_argument(path + " " + advice);
+}
+
+/// Returns the mesh's path. Throws std::invalid_argument if a scene cannot contain it.
+const std::string& checked_name(const std::string& mesh)
+{
+    const auto breaks = [](unsigned char c) { return c < 32 || c == '"' || c == '\\'; };
+    if (std::any_of(mesh.begin(), mesh.end(), breaks))
+        throw std::invalid_argument("its name has a quotation mark, a backslash or a line's end, "
+                                    "which a scene cannot contain; rename it");
+    return mesh;
 }
 
 } // namespace
@@ -62,37 +78,59 @@ std::string scene_of_mesh(const std::string& mesh)
 
 MeshInput::MeshInput(const std::string& mesh, const Vec3& turn, const MeshReading& reading,
                      const std::vector<std::string>& options)
-    : SceneInput(scene_of_mesh(mesh), options), mesh_(mesh), turn_(turn), reading_(reading)
+    : SceneInput(scene_of_mesh(checked_name(mesh)), options),
+      mesh_(mesh),
+      turn_(turn),
+      reading_(reading)
 {
     const std::string scene = scene_of_mesh(mesh), include = include_of_mesh(mesh);
     check_own(scene, include,
-              "is another scene; give it, or rename it for a scene of the mesh to be written");
-    check_own(include, first_line, "was not written here; rename it");
+              "belongs to another scene; rename it, or give it in place of the mesh");
+    check_own(include, first_line(mesh), "was not made of this mesh; rename it or the mesh");
     write_model();
-    if (!is_there(scene))
-        write_file(scene, filled_template(scene_text, {{"MESH", mesh}, {"INCLUDE", include}}));
 }
 
 std::vector<std::string> MeshInput::files() const
 {
-    std::vector<std::string> files = SceneInput::files();
-    files.push_back(mesh_);
+    std::vector<std::string> files{mesh_};
+    try {
+        for (const std::string& file : SceneInput::files())
+            if (std::filesystem::path(file).filename() != include_of_mesh(mesh_)) // which is
+                                                                                  // written here
+                files.push_back(file);
+    } catch (const InputError&) {
+        // The scene is missing; the next probe writes it.
+    }
     return files;
 }
 
-/// Writes the include file. Formats define z towards the viewer, but clouds of integral depth have
-/// z into the picture.
+void MeshInput::forget()
+{
+    is_written_ = is_written_ && file_stamp(mesh_) == stamp_ && is_there(scene_of_mesh(mesh_)) &&
+                  is_there(include_of_mesh(mesh_));
+}
+
+/// Writes the include file, and the scene if it is missing. Formats define z towards the viewer,
+/// but clouds of integral depth have z into the picture.
 void MeshInput::write_model()
 {
+    stamp_ = file_stamp(mesh_);
     Mesh mesh = read_mesh(mesh_, reading_);
     MeshPlace place;
     place.fit = extent_in_scene;
     place.scale.z = mesh.is_cloud ? 1 : -1;
     place.turn = turn_;
-    integral::place(mesh, place);
-    const std::string text = first_line + model_text(mesh, "Model"), path = include_of_mesh(mesh_);
-    if (!is_there(path) || read_file(path) != text) // an equal file stays as old as it is
-        write_file(path, text);
+    std::string text = first_line(mesh_);
+    try {
+        integral::place(mesh, place);
+        text += model_text(mesh, "Model");
+    } catch (const std::invalid_argument& error) {
+        throw InputError(mesh_ + ": " + error.what());
+    }
+    const std::string include = include_of_mesh(mesh_), scene = scene_of_mesh(mesh_);
+    write_file(include, text);
+    if (!is_there(scene))
+        write_file(scene, filled_template(scene_text, {{"MESH", mesh_}, {"INCLUDE", include}}));
     is_written_ = true;
 }
 

@@ -20,7 +20,7 @@ public:
               const std::vector<std::string>& options);
 
     std::vector<std::string> files() const override;
-    void forget() override { is_written_ = false; }
+    void forget() override;
     Making probe(const ProbeRequest& request, const ScratchFolder& scratch) override;
 
 private:
@@ -29,6 +29,7 @@ private:
     const std::string mesh_;
     const Vec3 turn_;
     const MeshReading reading_;
+    std::string stamp_;       ///< file_stamp of the mesh that has been read
     bool is_written_ = false; ///< the include file shows the mesh as it is
 };
 

@@ -16,6 +16,7 @@ namespace integral {
 namespace {
 
 constexpr double smooth_below = 35 * pi / 180; // angle between faces
+constexpr std::size_t most_neighbours = 256;   // faces around a corner that becomes smooth
 constexpr std::size_t most_colours = 512;
 constexpr double line_width = 0.004; // radius of lines and lone points, of the greatest extent
 
@@ -91,10 +92,12 @@ Normals normals_of(const Mesh& mesh, const std::vector<MeshTriangle>& faces)
     for (std::size_t k = 0; k < faces.size(); ++k) {
         std::array<std::size_t, 3> corners{};
         for (std::size_t i = 0; i < 3; ++i) {
-            Vec3 sum;
-            for (const std::uint32_t other : around[place[faces[k].vertex[i]]])
-                if (are_smooth(of_faces[k], of_faces[other]))
-                    sum = sum + of_faces[other];
+            const auto& neighbours = around[place[faces[k].vertex[i]]];
+            Vec3 sum = of_faces[k];
+            if (neighbours.size() <= most_neighbours)
+                for (const std::uint32_t other : neighbours)
+                    if (other != k && are_smooth(of_faces[k], of_faces[other]))
+                        sum = sum + of_faces[other];
             sum = (1 / length(sum)) * sum;
             const auto [at, is_new] = numbers.try_emplace({sum.x, sum.y, sum.z},
                                                           normals.all.size());

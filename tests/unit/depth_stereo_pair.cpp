@@ -131,6 +131,15 @@ BOOST_AUTO_TEST_CASE(maps_are_thinned_to_the_spacing_of_lines)
         }
         BOOST_TEST(depths.size() == one.kept);
     }
+    // A turned view's map, whose rows go up: its columns are thinned as far as lines are apart
+    // down.
+    map.places = picture.places = {{-1.95, -2.95}, {0, pixel}, {pixel, 0}};
+    Relief turned({picture}, {map}, 400, {4, 6});
+    turned.thin({0.75, 0.19});
+    std::set<float> depths;
+    for (int k = 0; k < across; ++k)
+        depths.insert(float(turned.along({map.places.at(k, 7), {0, 0}}).parallax));
+    BOOST_TEST(depths.size() == across);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

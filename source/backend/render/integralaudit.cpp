@@ -33,9 +33,10 @@ constexpr double usual_share = 0.002, picture_share = 0.05;
 constexpr double part_of_rays = 0.05;
 constexpr double least_pixels = 150, most_pixels = 1000;
 
-// At most so many candidates are recorded for each of most_pixels. The choice among them, by
-// expected errors, then adds about a twentieth to the variance of the estimate.
-constexpr double candidates_each = 20;
+// At most so many candidates are recorded for each of most_pixels; in large frames, at most
+// fewest_each for each pixel of usual_share. The choice among them, by expected errors, then adds
+// about a twentieth, or a fifth, to the variance of the estimate.
+constexpr double candidates_each = 20, fewest_each = 5;
 
 // This share of the mean expected error is added to each pixel's expected error, which is uncertain.
 constexpr double expected_anywhere = 0.5;
@@ -147,13 +148,13 @@ void IntegralAudit::Note(const std::vector<Candidate>& lit, std::size_t of)
     Thin_Out();
 }
 
-/// Drops recorded pixels that will not be audited. Retains at most twice the requested share (or
-/// usual_share if greater) of the pixels rendered so far, or candidates_each * most_pixels if that
-/// is more.
+/// Drops recorded pixels that will not be audited. Retains at most fewest_each times the requested
+/// share (or usual_share if greater) of the pixels rendered so far, or candidates_each *
+/// most_pixels if that is more.
 void IntegralAudit::Thin_Out()
 {
     const double most = std::max(candidates_each * most_pixels,
-                                 2 * std::max(share, usual_share) * double(seen));
+                                 fewest_each * std::max(share, usual_share) * double(seen));
     while (double(noted_number) > most)
     {
         threshold = threshold / 2;
