@@ -251,6 +251,9 @@ void use_display(const LcdOptions& o, const LcdRequest& lcd)
 int run(const LcdOptions& o)
 {
     const LcdRequest request = lcd_request(o);
+    if (!o.panel || o.inputs.empty())
+        throw_if_given({{"depth", o.depth.depth}, {"depth-range", o.depth.range}},
+                       "is for INPUT on a --panel");
     if (o.list) {
         if (!o.inputs.empty() || o.panel)
             throw UsageError("--list takes no other option");
