@@ -20,6 +20,8 @@ build_lib_libintegral_a_SOURCES += \
   integral/panel/panel_files.h \
   integral/panel/panel_images.cpp \
   integral/panel/panel_images.h \
+  integral/panel/panel_likeness.cpp \
+  integral/panel/panel_likeness.h \
   integral/panel/panel_mapping.cpp \
   integral/panel/panel_mapping.h \
   integral/panel/panel_page.cpp \

@@ -7,6 +7,7 @@
 #include "integral/io/image_file.h"
 #include "integral/io/video.h"
 #include "integral/panel/panel_cards.h"
+#include "integral/panel/panel_likeness.h"
 #include "integral/replay/arrange.h"
 #include "integral/views/parallel_views.h"
 #include "integral/views/quilt.h"
@@ -19,47 +20,6 @@ namespace {
 
 constexpr int card_views = 8, longer_side_of_a_view = 1000;
 constexpr double most_samples = 1e9;
-
-bool close(double a, double b)
-{
-    return std::fabs(a - b) <= 1e-9 * std::max({1.0, std::fabs(a), std::fabs(b)});
-}
-
-/// The properties that a frame shares with frames rendered for a panel.
-struct Likeness {
-    bool lenses, size, pixel_pitch, colours;
-
-    /// Whether the frame's pixels are the panel's, under the same lenses.
-    bool all() const { return lenses && size && pixel_pitch && colours; }
-    /// Whether the frame seems to be meant for the panel, with one of the two changed since.
-    bool nearly() const { return pixel_pitch && (lenses || (size && colours)); }
-};
-
-Likeness likeness(const FrameMetadata& frame, const FrameMetadata& panel)
-{
-    const LensSheet &a = frame.sheet, &b = panel.sheet;
-    const Film &ours = frame.film, &theirs = panel.film;
-    return {a.arrangement == b.arrangement && close(a.pitch, b.pitch) &&
-                close(a.thickness, b.thickness) && close(a.ior, b.ior) && close(a.slant, b.slant) &&
-                close(a.offset.x, b.offset.x) && close(a.offset.y, b.offset.y),
-            ours.width == theirs.width && ours.height == theirs.height,
-            close(ours.pixel_pitch.x, theirs.pixel_pitch.x) &&
-                close(ours.pixel_pitch.y, theirs.pixel_pitch.y),
-            same_layout(ours.subpixels, theirs.subpixels)};
-}
-
-/// The reason why a frame that seems to have been meant for the panel is not passed through;
-/// nothing for other frames.
-std::optional<std::string> near_miss(const FrameMetadata& frame, const FrameMetadata& panel)
-{
-    const Likeness like = likeness(frame, panel);
-    if (!like.nearly())
-        return std::nullopt;
-    if (!like.size)
-        return "it has " + size_text(frame.film.width, frame.film.height) +
-               " pixels and the panel " + size_text(panel.film.width, panel.film.height);
-    return like.lenses ? "its pixels' colours lie otherwise" : "its lenses are not the panel's";
-}
 
 /// Converts to three channels of 8 or 16 bits over black; `linear`: 16 bits of linear light, for
 /// blending.
@@ -80,38 +40,6 @@ Image mirrored(const Image& image, bool in_x, bool in_y)
             store_pixel(turned, in_x ? image.width - 1 - x : x, in_y ? image.height - 1 - y : y,
                         stored_pixel(image, x, y));
     return turned;
-}
-
-bool nearly_equal(double a, double b) { return a == b || std::fabs(a - b) <= 0.01 * b; }
-
-/// Returns `eyes`, which are from a frame's views, if the panel is as large as the frame's film.
-/// Otherwise nothing: a smaller or larger panel spreads the views over its own zone, as it spreads
-/// their pictures over its pixels.
-std::optional<EyeGrid> eyes_before(const Film& panel, const FrameMetadata& frame, EyeGrid eyes)
-{
-    if (nearly_equal(frame.film.width * frame.film.pixel_pitch.x,
-                     panel.width * panel.pixel_pitch.x) &&
-        nearly_equal(frame.film.height * frame.film.pixel_pitch.y,
-                     panel.height * panel.pixel_pitch.y))
-        return eyes;
-    return std::nullopt;
-}
-
-/// A message about a frame that was rendered for the panel, but for eyes at another distance or in
-/// a zone of another size; nothing if both are the panel's.
-std::optional<std::string> other_zone(const Aperture& frame, const Panel& of)
-{
-    const Aperture& panel = of.aperture;
-    const bool lie_across = lenses_lie_across(of.sheet);
-    const auto extent = [&](const Aperture& a) { return lie_across ? a.height : a.width; };
-    if (nearly_equal(frame.distance, panel.distance) && nearly_equal(extent(frame), extent(panel)))
-        return std::nullopt;
-    const auto mm = [](double length) { return with_decimals(length, 0) + " mm"; };
-    return "it is rendered for eyes " + mm(frame.distance) + " away in a zone " +
-           mm(extent(frame)) + (lie_across ? " high" : " wide") + "; the panel's are " +
-           mm(panel.distance) + " away in " + mm(extent(panel)) +
-           ", and near the ends see neighbouring views; viewing_distance " +
-           with_decimals(panel.distance, 0) + " in the camera moves them there";
 }
 
 const char* name_of(PanelCard card)
@@ -141,23 +69,6 @@ template <class Work> auto with_name(const std::string& name, Work work)
 bool has_round_lenses(const FrameMetadata& geometry)
 {
     return geometry.sheet.arrangement != Arrangement::lenticular;
-}
-
-/// A message about a frame whose lenses show no new views in a direction in which the panel's
-/// lenses do; nothing if there is no such direction.
-std::optional<std::string> missing_views(const LensSheet& frame, const LensSheet& panel)
-{
-    const bool round = panel.arrangement != Arrangement::lenticular;
-    if (frame.arrangement != Arrangement::lenticular)
-        return std::nullopt;
-    const bool lie_across = lenses_lie_across(frame);
-    if (!round && lie_across == lenses_lie_across(panel))
-        return std::nullopt;
-    return std::string("its lenses are lenticular and show nothing new from ") +
-           (lie_across ? "the side" : "above") + ", as the panel's" +
-           (round        ? " round ones do"
-            : lie_across ? " upright ones do"
-                         : ", which lie across, do");
 }
 
 } // namespace
