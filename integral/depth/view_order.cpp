@@ -58,6 +58,12 @@ HiddenSides hidden_sides(const ViewSet& views, const DepthMap& map)
     const double farthest = std::max(std::fabs(sides[0][0]->shift.x),
                                      std::fabs(sides[1][0]->shift.x)),
                  step = least_step / farthest;
+    // A surface beyond the range is measured at its end.
+    const auto is_at_end = [&](float disparity) {
+        const bool is_known = map.range.least < map.range.greatest;
+        return is_known && (disparity < map.range.least + 0.1 * step ||
+                            disparity > map.range.greatest - 0.1 * step);
+    };
     HiddenSides hidden;
     for (int y = 0; y < map.height; ++y)
         for (int x = flat; x + 1 + flat < map.width; ++x) {
@@ -65,7 +71,7 @@ HiddenSides hidden_sides(const ViewSet& views, const DepthMap& map)
             const bool is_edge = std::fabs(at[0] - at[1]) >= step &&
                                  std::fabs(at[-flat] - at[0]) < 0.25 * step &&
                                  std::fabs(at[1 + flat] - at[1]) < 0.25 * step;
-            if (!is_edge)
+            if (!is_edge || is_at_end(at[0]) || is_at_end(at[1]))
                 continue;
             // The mean difference in the far views of a side: the greater of both sides' means.
             const auto missing = [&](int pixel) {

@@ -19,7 +19,8 @@ struct HiddenSides {
 
 /// Counts, in the views to the left and right of the middle one, which side of each edge is hidden,
 /// at the depth measured in the set. A surface at an edge is hidden from the eyes of one side if
-/// its pixels are not found in their views.
+/// its pixels are not found in their views. Surfaces at the ends of the range that was searched do
+/// not count: they may be beyond it.
 HiddenSides hidden_sides(const ViewSet& views, const DepthMap& map);
 
 } // namespace integral
