@@ -56,7 +56,7 @@ void declare(options::options_description& all, DepthOptions& o)
         "the sheet, to compare");
     add(all, "quality", o.quality, "draft|good|best",
         "draft compares the views in a cross about the middle one, coarsely; good (the default) "
-        "also those on the diagonals; best in finer steps");
+        "also those on the diagonals; best in finer steps, over wider windows");
     add(all, "width", o.width, "PIXELS",
         "pixels of the map across (default: about as many as the views have)");
     add(all, "range", o.range, "FAR,NEAR",

@@ -38,7 +38,7 @@ struct GivenPictures {
     std::optional<double> aspect; ///< of each view
     bool right_to_left = false;   ///< views or a pair
     std::optional<ViewGrid> grid; ///< of the views
-    bool eyes = false; ///< the views are those of eyes spread over the zone of the geometry
+    bool eyes = false;            ///< views are seen by eyes that are spread over the zone
 };
 
 /// The request for inputs that will be seen in a frame of geometry `seen`. Depths without a unit

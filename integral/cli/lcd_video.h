@@ -7,8 +7,8 @@
 
 namespace integral {
 
-/// Whether INPUT is a video of which all pictures are used, not the one of --at. Throws UsageError
-/// if a video is not the only INPUT, or if --at or another option does not go with the inputs.
+/// Whether INPUT is a video and all its pictures are used: no --at is given. Throws UsageError if a
+/// video is not the only INPUT, or if --at or another option does not work with the inputs.
 bool takes_whole_video(const LcdOptions& o);
 
 /// --play: shows the images of a quilt video on the panel, which are made meanwhile.

@@ -123,7 +123,7 @@ std::unique_ptr<StudioInput> scene_input(const StudioOptions& o)
     return input;
 }
 
-/// Throws UsageError if the inputs or the depth cannot be those of pictures with depth.
+/// Throws UsageError if the inputs are not pictures, or if --depth does not work with them.
 void check_pictures(const StudioOptions& o, const std::string& depth)
 {
     throw_if_given({{"turn", o.turn}}, "is for a mesh");

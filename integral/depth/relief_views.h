@@ -10,7 +10,7 @@
 
 namespace integral {
 
-/// What one eye sees of a relief, pixel by pixel.
+/// The view of a relief from one eye, pixel by pixel.
 class ReliefEyeView {
 public:
     /// `eye`: mm; `part`: the distance of the relief's own eyes, divided by this eye's; `shown`:

@@ -5,7 +5,7 @@
 // Cards 1 and 2: the wave vector's component x is that of the lying bar that is even, and y that of
 // the upright one. Card 3: a bar of phase f at the place P is the brightest if its light lines are
 // on the lenses' axes: f = phase + (h - g).P modulo 1, where h is the wave vector of the lines, and
-// g and `phase` are those of the axes. The four rows give four such equations for g and `phase`;
+// g and `phase` belong to the axes. The four rows give four such equations for g and `phase`;
 // a fit by least squares solves them.
 #ifndef INTEGRAL_PANEL_LENS_READINGS_H
 #define INTEGRAL_PANEL_LENS_READINGS_H

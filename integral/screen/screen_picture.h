@@ -48,8 +48,8 @@ public:
         std::function<ScreenPicture(long long file)> load; ///< called by several threads at once
         /// In place of `load`, for sequences that can only be read in order: reads file 0, 1, 2 and
         /// so on, and file 0 again for a loop, in one call at a time. Returns nothing after the
-        /// last file. The results are called by several threads at once, those of overdue pictures
-        /// not at all.
+        /// last file. Several threads at once call the results. Results for overdue pictures are
+        /// never called.
         std::function<Completion(long long file)> read = nullptr;
     };
     struct Ready {

@@ -46,6 +46,17 @@ template <class Condition> void wait_for(Condition condition)
 
 ScreenPicture numbered_picture(long long number) { return {1, 1, {std::uint32_t(number)}}; }
 
+/// Takes the pictures 0 to `count` - 1 of a loop of 30, each when it is due; none may be missing.
+void take_in_order(PicturesAhead& pictures, int count)
+{
+    for (int k = 0; k < count; ++k) {
+        std::optional<PicturesAhead::Ready> ready;
+        wait_for([&] { return (ready = pictures.take(k)).has_value(); });
+        BOOST_REQUIRE_EQUAL(ready->number, k);
+        BOOST_REQUIRE_EQUAL(ready->picture->pixels[0], unsigned(k % 30));
+    }
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(what_scales_is_found)
@@ -155,12 +166,7 @@ BOOST_AUTO_TEST_CASE(every_picture_is_taken_once_and_in_order)
             wait_for([&] { return pictures.is_full(); });
             BOOST_TEST(loads == std::min(keep, 30));
             const int requested = loop ? 75 : 30;
-            for (int k = 0; k < requested; ++k) {
-                std::optional<PicturesAhead::Ready> ready;
-                wait_for([&] { return (ready = pictures.take(k)).has_value(); });
-                BOOST_REQUIRE_EQUAL(ready->number, k);
-                BOOST_REQUIRE_EQUAL(ready->picture->pixels[0], unsigned(k % 30));
-            }
+            take_in_order(pictures, requested);
             BOOST_TEST(!pictures.take(requested - 1));
             BOOST_TEST(most_inside <= keep);
             if (keep >= 30)
@@ -249,12 +255,7 @@ BOOST_AUTO_TEST_CASE(a_video_is_read_in_order_to_its_end)
             if (keep < 30)
                 BOOST_TEST(pictures.count() > 30); // the end is not found yet
             const int requested = loop ? 75 : 30;
-            for (int k = 0; k < requested; ++k) {
-                std::optional<PicturesAhead::Ready> ready;
-                wait_for([&] { return (ready = pictures.take(k)).has_value(); });
-                BOOST_REQUIRE_EQUAL(ready->number, k);
-                BOOST_REQUIRE_EQUAL(ready->picture->pixels[0], unsigned(k % 30));
-            }
+            take_in_order(pictures, requested);
             wait_for([&] { return pictures.count() == 30; });
         }
 }
